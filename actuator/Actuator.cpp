@@ -158,7 +158,7 @@ void tick(const Asked& asked, const ActuatorParams& params, ActuatorState& state
   const JointAngles before = state.target;
   state.target = limited(target, before, slew);
   CommandedTick now = commandedNow(params, state);
-  now.told = movedBy(before, state.target);
+  now.reported = movedBy(before, state.target);
   record(now, state.odometry);
   state.legGain = std::fmax(state.legGain, legGain(params.motions, state.motion));
   if (running(state.motion)) moveOn(params, state);
@@ -193,7 +193,7 @@ bool lowGain(const ActuatorState& state) { return state.gain.low && !running(sta
 Stance stanceAt(std::size_t tick, const Stance& legs, const ActuatorParams& params,
                 const ActuatorState& state) {
   if (!params.physical) return legs;
-  return swaying(legs, shown(tick, params.odometry, state.odometry).stride, state.walk.set);
+  return oscillating(legs, shown(tick, params.odometry, state.odometry).stride, state.walk.set);
 }
 
 MotionStatus status(const ActuatorParams& params, const ActuatorState& state) {

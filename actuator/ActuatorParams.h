@@ -57,7 +57,7 @@ struct ActuatorParams {
   double mixSeconds = 0.3;             // from one walk to another
   Angle walkSlew = Angle::deg(4.0);    // per tick, legs while walking (facts-2005 section 6.4)
   Angle headSlew = Angle::deg(4.0);    // per tick
-  // A body with masses: it sways as it walks, and its load tells of the carpet (Sway.h,
+  // A body with masses: it sways as it walks, and its load tells of the carpet (BodyOscillation.h,
   // Odometry.h).
   bool physical = true;
   double earSeconds = 1.0;  // an ear asked up for longer goes down (openr.md 5.6)

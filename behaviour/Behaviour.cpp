@@ -75,7 +75,7 @@ BehaviourState::~BehaviourState() = default;
 
 const std::string& BehaviourState::lastError() const { return host_->lastError(); }
 
-const Told& BehaviourState::told() const { return host_->told(); }
+const RecentReports& BehaviourState::reports() const { return host_->reports(); }
 
 Expected<Rows> BehaviourState::ask(const std::string& function) { return host_->ask(function); }
 

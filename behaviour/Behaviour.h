@@ -9,8 +9,8 @@
 
 #include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
+#include "behaviour/RecentReports.h"
 #include "behaviour/Rows.h"
-#include "behaviour/Told.h"
 #include "robot/core/Expected.h"
 #include "robot/core/types/Command.h"
 
@@ -32,7 +32,7 @@ class BehaviourState {
   // First line of the last script error with file and line, empty if the last call went well.
   const std::string& lastError() const;
   // What went wrong in the scripts, and what they print.
-  const Told& told() const;
+  const RecentReports& reports() const;
   // For tools, not during play: what a function of main.py without parameters answers, a list of
   // texts or of tuples, each cell as text ("True" for a bool). An error has one line.
   Expected<Rows> ask(const std::string& function);

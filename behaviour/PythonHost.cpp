@@ -102,7 +102,7 @@ bool PythonHost::listen() {
 void PythonHost::say(const std::string& line) {
   if (!printed_.admits()) return;
   const std::string shown = printed_.shown(line);
-  told_.add(shown, false);
+  reports_.add(shown, false);
   tell(shown);
 }
 
@@ -110,12 +110,12 @@ void PythonHost::tellLeftOut(std::uint32_t lines) {
   if (lines == 0) return;
   const std::string line = "print(): " + std::to_string(lines) + " more lines; " +
                            std::to_string(printed_.params().linesPerSecond) + " a second are told";
-  told_.add(line, false);
+  reports_.add(line, false);
   tell(line);
 }
 
 // An edit is loaded beside the version before, which may have filled its own room.
-std::size_t PythonHost::roomToLoad() {
+std::size_t PythonHost::heapToLoad() {
   return interpreter_.heap().used() + bytesOf(BehaviourParams{}.heapLimit);
 }
 
@@ -123,7 +123,7 @@ bool PythonHost::load() {
   PythonRef version;
   {
     const Watchdog watchdog(kLoadLimit, kHungLoadExit);
-    const HeapLimit limit(interpreter_.heap(), roomToLoad());
+    const HeapLimit limit(interpreter_.heap(), heapToLoad());
     version = modules_.load(guard_.get(), kelpie_.get());
   }
   PythonRef decide(version ? PyObject_GetAttrString(version.get(), "decide") : nullptr);
@@ -135,7 +135,7 @@ bool PythonHost::load() {
   lateInARow_ = framesToRest_ = 0;
   version_ = std::move(version);
   decide_ = std::move(decide);
-  reported_.clear();
+  knownErrors_.clear();
   lastError_.clear();
   return true;
 }
@@ -171,8 +171,8 @@ Fallback PythonHost::decide(const BehaviourIn& in, const BehaviourParams& params
 // A script that does not end takes all its time of every frame, and a match waits for it: it is
 // called ever more seldom, from the third time in a row on.
 void PythonHost::restAfter(Fallback last) {
-  constexpr std::uint32_t kPatience = 2, kMost = 6;  // of 64 frames
-  lateInARow_ = last == Fallback::timeLimit ? std::min(lateInARow_ + 1, kPatience + kMost) : 0;
+  constexpr std::uint32_t kPatience = 2, kMax = 6;  // of 64 frames
+  lateInARow_ = last == Fallback::timeLimit ? std::min(lateInARow_ + 1, kPatience + kMax) : 0;
   framesToRest_ = lateInARow_ > kPatience ? 1U << (lateInARow_ - kPatience) : 0;
 }
 
@@ -264,10 +264,11 @@ void PythonHost::report(const std::string& line, const std::string& all) {
   const std::size_t place = line.find(": ");
   const std::size_t kind = place == std::string::npos ? place : line.find(": ", place + 2);
   const std::string start = line.substr(0, kind);
-  const bool known = std::find(reported_.begin(), reported_.end(), start) != reported_.end();
-  if (known || reported_.size() >= kMaxReports) return;
-  reported_.push_back(start);
-  told_.add(line, true);
+  const bool known =
+      std::find(knownErrors_.begin(), knownErrors_.end(), start) != knownErrors_.end();
+  if (known || knownErrors_.size() >= kMaxReports) return;
+  knownErrors_.push_back(start);
+  reports_.add(line, true);
   tell(all);
 }
 

@@ -9,8 +9,8 @@
 
 #include "behaviour/BehaviourIn.h"
 #include "behaviour/BehaviourParams.h"
+#include "behaviour/RecentReports.h"
 #include "behaviour/Rows.h"
-#include "behaviour/Told.h"
 #include "behaviour/interpreter/Interpreter.h"
 #include "behaviour/interpreter/Modules.h"
 #include "behaviour/interpreter/PrintedLines.h"
@@ -37,14 +37,14 @@ class PythonHost {
   Expected<Rows> ask(const std::string& function);
 
   const std::string& lastError() const { return lastError_; }
-  const Told& told() const { return told_; }
+  const RecentReports& reports() const { return reports_; }
   void say(const std::string& line);  // a script prints
 
  private:
   void prepare();
   bool listen();
   void tellLeftOut(std::uint32_t lines);
-  std::size_t roomToLoad();
+  std::size_t heapToLoad();
   bool load();
   void reloadIfEdited(const BehaviourParams& params);
   Fallback call(const BehaviourParams& params, Command& command);
@@ -58,9 +58,9 @@ class PythonHost {
 
   Modules modules_;
   std::string lastError_;
-  Told told_;
+  RecentReports reports_;
   PrintedLines printed_;
-  std::vector<std::string> reported_;  // places and kinds of errors that were told
+  std::vector<std::string> knownErrors_;  // places and kinds of those that were reported
   std::uint32_t framesToLook_ = 0;
   std::uint32_t lateInARow_ = 0;    // calls that hit the time limit
   std::uint32_t framesToRest_ = 0;  // before the next call

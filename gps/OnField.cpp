@@ -46,12 +46,12 @@ double mahalanobisSquared(const Place& a, const Place& b) {
   return d.dot((a.covariance + b.covariance).inverse() * d);
 }
 
-bool soundCovariance(const std::array<double, 4>& rows, double least, double most) {
+bool soundCovariance(const std::array<double, 4>& rows, double min, double max) {
   for (const double value : rows) {
     if (!std::isfinite(value)) return false;
   }
   const Matrix2 m = matrixOf(rows);
-  const bool inRange = m(0, 0) >= least && m(1, 1) >= least && m(0, 0) <= most && m(1, 1) <= most;
+  const bool inRange = m(0, 0) >= min && m(1, 1) >= min && m(0, 0) <= max && m(1, 1) <= max;
   return inRange && m(0, 0) * m(1, 1) - m(0, 1) * m(0, 1) > 1e-6 * m(0, 0) * m(1, 1);
 }
 

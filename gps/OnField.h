@@ -33,8 +33,8 @@ Place productOf(const Place& a, const Place& b);
 // Squared Mahalanobis distance of two independent places.
 double mahalanobisSquared(const Place& a, const Place& b);
 
-// Finite, symmetric enough and positive, and no diagonal element below `least` or above `most`.
-bool soundCovariance(const std::array<double, 4>& rows, double least, double most);
+// Finite, symmetric enough and positive, and no diagonal element below `min` or above `max`.
+bool soundCovariance(const std::array<double, 4>& rows, double min, double max);
 
 inline Point2<Field> pointOf(const Vector2& v) { return {v(0), v(1)}; }
 inline Vector2 vectorOf(Point2<Field> p) { return {p.x, p.y}; }

@@ -9,9 +9,9 @@ import xml.etree.ElementTree as ElementTree
 
 
 def reason_of(output):
-    told = (re.search(r"^skipped: *(.+)$", output, re.M)
+    reported = (re.search(r"^skipped: *(.+)$", output, re.M)
             or re.search(r": Skipped\n(.+)$", output, re.M))
-    return told[1].strip() if told else "gives no reason"
+    return reported[1].strip() if reported else "gives no reason"
 
 
 def skipped_tests(path):

@@ -93,7 +93,7 @@ class Scratch:
         return self.run(self.root / "build/host/bin/kelpie", *words)
 
 
-def main(what, most, recipe):
+def main(what, maximum, recipe):
     """Does a recipe and tells what it touched; `most`: files by hand at most."""
     parser = argparse.ArgumentParser(
         description=f"Adds a {what} by docs/howto.md in a scratch clone")
@@ -108,7 +108,7 @@ def main(what, most, recipe):
         return 1
     touched = sorted(scratch.touched)
     print(f"a {what}: {len(touched)} files by hand ({', '.join(touched)}); {says}")
-    if len(touched) > most:
-        print(f"a {what}: more than {most} files by hand", file=sys.stderr)
+    if len(touched) > maximum:
+        print(f"a {what}: more than {maximum} files by hand", file=sys.stderr)
         return 1
     return 0

@@ -84,8 +84,8 @@ bool isFarther(const Scene& scene, const Foot& coarse, double nearer) {
 
 // How far the carpet goes on above a level line through the foot, at one place beside it: negative
 // where it ends below, nothing where the image ends first. A white line does not end it.
-std::optional<double> carpetAbove(const Scene& scene, PixelPoint foot, double aside) {
-  const PixelWalk up(scene.frame.beside(foot, aside, 0.0), scene.frame.up());
+std::optional<double> carpetAbove(const Scene& scene, PixelPoint foot, double lateral) {
+  const PixelWalk up(scene.frame.beside(foot, lateral, 0.0), scene.frame.up());
   int gap = 0;
   int last = -kMaxSearched;
   for (int above = last; above <= kMaxSearched && gap <= kMaxLineWidth; ++above) {
@@ -136,8 +136,8 @@ Foot nearestFoot(const Scene& scene, const FootSearch& search) {
   const unsigned foreign = othersThan(search.own);
   for (int i = 0; i < search.columns; ++i) {
     const double share = search.columns > 1 ? i / (search.columns - 1.0) : 0.5;
-    const double aside = search.first + (search.last - search.first) * share;
-    const PixelPoint from = scene.frame.beside(search.from, aside, 0.0);
+    const double lateral = search.first + (search.last - search.first) * share;
+    const PixelPoint from = scene.frame.beside(search.from, lateral, 0.0);
     if (!Sampler::usable(from)) continue;
     Foot foot = coarseFoot(scene, from, foreign);
     if (foot.end == FootEnd::hidden) continue;

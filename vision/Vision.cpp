@@ -25,7 +25,7 @@ bool poseIsInRange(const BodyState& body) {
   constexpr double kMaxTurn = 10.0;       // rad over an image
   constexpr double kFarthest = 100.0;     // cm from the robot to its camera, three times an ERS-7
   constexpr double kFarthestRow = 1.1e4;  // px, a little beyond the horizon's limit
-  const auto within = [](double value, double most) { return std::fabs(value) <= most; };
+  const auto within = [](double value, double max) { return std::fabs(value) <= max; };
   const Point3<Robot>& at = body.camera.position;
   const auto& axes = body.camera.axes;
   const auto& turn = body.camera.turn;

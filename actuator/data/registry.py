@@ -17,7 +17,7 @@ from pathlib import Path
 USES = ("rest", "kick", "block", "grab", "hold", "get_up", "show")
 BALLS = ("", "free", "held", "both")
 KEYS = {"number", "use", "ball", "leaf", "hint", "key"}
-LEARN_KEYS = {"scatter", "distance", "least", "most", "frames"}
+LEARN_KEYS = {"scatter", "distance", "min", "max", "frames"}
 HEAD = ("// SPDX-License-Identifier: Apache-2.0\n"
         "// Written by actuator/data/registry.py from actuator/data/motions and "
         "enumerations.toml.\n")
@@ -37,17 +37,17 @@ class Motion:
 
     def __init__(self, path):
         self.name, table = path.stem, read(path)
-        told = table.get("motion")
-        if not isinstance(told, dict) or "number" not in told:
+        reported = table.get("motion")
+        if not isinstance(reported, dict) or "number" not in reported:
             raise Wrong(f"{path}: motion: says nothing of its number (actuator/README.md)")
         other = table.get("mirror")
         of = read(path.with_name(other + ".toml")) if other else table
         pair = of.get("motion", {})
-        self.number, self.mirror = told["number"], other or self.name
+        self.number, self.mirror = reported["number"], other or self.name
         self.use, self.ball = pair.get("use"), pair.get("ball", "")
-        self.leaf = told.get("leaf", "")
+        self.leaf = reported.get("leaf", "")
         # `key = "6 leg left"`: the key of teleop and the word beside it.
-        self.key, _, self.word = told.get("key", "").partition(" ")
+        self.key, _, self.word = reported.get("key", "").partition(" ")
         side = -1 if other else 1
         hint = pair.get("hint")
         self.hint = hint and (float(hint[0]), float(side * hint[1]))
@@ -57,10 +57,10 @@ class Motion:
         self.learn = None if other else table.get("learn")
         self.lines = [f"{word} = {inline(table[word])}" for word in ("motion", "learn")
                       if word in table]
-        self.check(path, told)
+        self.check(path, reported)
 
-    def check(self, path, told):
-        for key in set(told) - KEYS:
+    def check(self, path, reported):
+        for key in set(reported) - KEYS:
             raise Wrong(f"{path}: motion.{key}: there is no such key")
         for key in set(self.learn or {}) - LEARN_KEYS:
             raise Wrong(f"{path}: learn.{key}: there is no such key")
@@ -132,7 +132,7 @@ def listed(found):
     for motion in found:
         learn = motion.learn or {}
         wish = ", ".join(str(float(learn.get(key, default))) for key, default in
-                         (("scatter", 1.2), ("distance", 0), ("least", 0), ("most", 0),
+                         (("scatter", 1.2), ("distance", 0), ("min", 0), ("max", 0),
                           ("frames", 0)))
         key = f"'{motion.key}'" if motion.key else "0"
         lines = "".join(line + "\\n" for line in motion.lines).replace('"', '\\"')
@@ -165,10 +165,10 @@ LIST = """#pragma once
 namespace kelpie::actuator {
 
 // What `kelpie calibrate motion` wants of a kick: the ball's scatter (cm), the distance that counts
-// as 1 (cm), the least and the greatest direction (deg left), frames of 1/30 s at most. No
+// as 1 (cm), the smallest and the largest direction (deg left), frames of 1/30 s at most. No
 // distance: it is learnt as its mirror image.
 struct KickWish {
-  double scatter, distance, least, most, frames;
+  double scatter, distance, min, max, frames;
 };
 
 // A motion as its file lists it.
@@ -217,8 +217,8 @@ def python(found, choices):
     names = ["none", *(motion.name for motion in found)]
     yield ", ".join(python_name(name) for name in names) + f" = range({len(names)})"
     for values in choices.values():
-        told = [text for name, text in values.items() if name != "about"]
-        yield ", ".join(told) + f" = range({len(told)})"
+        reported = [text for name, text in values.items() if name != "about"]
+        yield ", ".join(reported) + f" = range({len(reported)})"
     roles = [name for name in choices["Role"] if name != "about"]
     yield f"ROLE_NAMES = {tuple(roles)!r}"
     yield KICK_CLASS

@@ -10,12 +10,12 @@ namespace {
 constexpr double kMessageSeconds = kTickSeconds * kTicksPerMessage;
 
 double hardest(const SensorFrame& sensors) {
-  double most = 0.0;
+  double max = 0.0;
   for (std::size_t j = index(Joint::leftFrontRotator); j <= index(Joint::rightHindKnee); ++j) {
     const double duty = std::fabs(sensors.duty[j]);
-    if (std::isfinite(duty)) most = std::max(most, duty);
+    if (std::isfinite(duty)) max = std::max(max, duty);
   }
-  return std::min(most, 1.0);
+  return std::min(max, 1.0);
 }
 
 }  // namespace

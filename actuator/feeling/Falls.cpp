@@ -31,8 +31,8 @@ FallSide lowestSide(const std::array<double, 3>& up) {
 
 // Far less than the weight: the robot is in the air, or the sensor tells nothing.
 bool weightless(const std::array<double, 3>& up) {
-  constexpr double kLeast = 490.0;  // cm/s2
-  return maths::square(up[0]) + maths::square(up[1]) + maths::square(up[2]) < maths::square(kLeast);
+  constexpr double kMin = 490.0;  // cm/s2
+  return maths::square(up[0]) + maths::square(up[1]) + maths::square(up[2]) < maths::square(kMin);
 }
 
 FallSide seenNow(const FallParams& params, const FallState& state) {

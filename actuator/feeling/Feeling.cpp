@@ -41,11 +41,12 @@ void feelPaws(const SensorFrame& tick, const FeelingParams& params, FeelingState
 }
 
 // Newton: what the feet push and the body does not do, something else does to it.
-Push resisted(const Push& push, const std::array<double, 3>& acceleration, double weight) {
-  constexpr double kGravity = 981.0;        // cm/s2
-  constexpr double kMost = 2.0 * kGravity;  // what the sensor can tell
+ContactForce resisted(const ContactForce& push, const std::array<double, 3>& acceleration,
+                      double weight) {
+  constexpr double kGravity = 981.0;       // cm/s2
+  constexpr double kMax = 2.0 * kGravity;  // what the sensor can tell
   const auto share = [&](double a) {
-    return std::isfinite(a) ? weight * maths::clamp(a, -kMost, kMost) / kGravity : 0.0;
+    return std::isfinite(a) ? weight * maths::clamp(a, -kMax, kMax) / kGravity : 0.0;
   };
   return {push.forward + share(acceleration[0]), push.left + share(acceleration[1]), push.turn};
 }
@@ -57,7 +58,8 @@ void recordTick(const SensorFrame& tick, const FeltTick& commanded, bool walking
     const LegCurrents currents = legCurrents(state.before[1], state.before[0], now, params.noLoad);
     FeltTick felt = commanded;
     felt.current = rotatorCurrent(currents);
-    felt.resisted = resisted(pushOf(currents, state.before[0]), tick.acceleration, params.weight);
+    felt.resisted =
+        resisted(contactForceOf(currents, state.before[0]), tick.acceleration, params.weight);
     state.felt[state.ticks++ % state.felt.size()] = felt;
   } else {
     state.ticks = 0;
@@ -69,7 +71,7 @@ void recordTick(const SensorFrame& tick, const FeltTick& commanded, bool walking
 // Sums of the last step: what was felt, and the feet's speed that was commanded for it.
 struct StepSums {
   double current = 0.0;
-  Push resisted;
+  ContactForce resisted;
   Velocity feet;
 };
 
@@ -90,12 +92,12 @@ StepSums sumsOf(std::uint32_t step, const FeelingParams& params, const FeelingSt
 }
 
 // Along the way that was commanded, a turn counted on its lever.
-double loadOf(const Push& resisted, const Velocity& feet, const FreeLoad& free,
+double loadOf(const ContactForce& resisted, const Velocity& feet, const FreeLoad& free,
               const FeelingParams& params) {
   const double turn = params.lever * feet.turn;
   const double speed =
       std::sqrt(maths::square(feet.forward) + maths::square(feet.left) + maths::square(turn));
-  if (speed < params.leastSpeed) return 0.0;
+  if (speed < params.minSpeed) return 0.0;
   const double against = resisted.forward * feet.forward + resisted.left * feet.left +
                          resisted.turn / params.lever * turn;
   return -params.legLength / kLegCount * against / speed - freeLoad(feet, free);
@@ -111,8 +113,8 @@ void feelLoad(const WalkState& walk, const FeelingParams& params, const FeelingS
   feeling.current = sums.current / step;
   const double share = 1.0 / step;
   const Velocity feet{share * sums.feet.forward, share * sums.feet.left, share * sums.feet.turn};
-  const Push resisted{share * sums.resisted.forward, share * sums.resisted.left,
-                      share * sums.resisted.turn};
+  const ContactForce resisted{share * sums.resisted.forward, share * sums.resisted.left,
+                              share * sums.resisted.turn};
   feeling.load = maths::clamp(loadOf(resisted, feet, walk.set.freeLoad, params), -1.0, 1.0);
 }
 

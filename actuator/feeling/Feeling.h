@@ -2,16 +2,16 @@
 // What the body feels of the world, from the sensors and what was commanded: how much of the feet's
 // push does not move the body, from that whether something holds the robot; on which side it lies;
 // a front paw that pushes into something while its foot is in the air.
-// Over a whole step the feet's push (Push.h) and the accelerometer, which tells gravity and what
-// the body did, balance by Newton's law in any walk; what is left, something else does.
+// Over a whole step the feet's push (ContactForce.h) and the accelerometer, which tells gravity and
+// what the body did, balance by Newton's law in any walk; what is left, something else does.
 // Limits: knows nothing until a step has been walked, of a robot that stands, and when the feet
 // hardly move. Who has fallen is not stuck.
 #pragma once
 
+#include "actuator/feeling/ContactForce.h"
 #include "actuator/feeling/Falls.h"
 #include "actuator/feeling/FeelingParams.h"
 #include "actuator/feeling/Lifted.h"
-#include "actuator/feeling/Push.h"
 #include "actuator/walk/Walk.h"
 
 namespace kelpie::actuator {
@@ -19,7 +19,7 @@ namespace kelpie::actuator {
 // One tick of walking: what was felt, and what was commanded then.
 struct FeltTick {
   double current = 0.0;            // mean of the rotators
-  Push resisted;                   // what of the feet's push did not move the body
+  ContactForce resisted;           // what of the feet's push did not move the body
   Velocity feet;                   // commanded
   std::array<bool, 2> airborne{};  // left and right front foot, as commanded
 };

@@ -90,7 +90,7 @@ struct FeelingParams {
   double weight = 0.162;          // of the robot over a joint's greatest torque, 1/cm: 16 N, 1 N m
   double lever = 10.0;            // cm from the middle to the feet, by which a turn counts
   double legLength = 10.0;        // cm, by which a push is a share of the rotators' currents
-  double leastSpeed = 4.0;        // cm/s of the feet below which no load is told
+  double minSpeed = 4.0;          // cm/s of the feet below which no load is told
   std::uint32_t delayTicks = 10;  // from a command until the joints do it
   double stuckLoad = 0.038;       // load above which something holds the robot
   double freeLoad = 0.02;         // and below which it is free again
@@ -106,7 +106,7 @@ struct FeelingParams {
         field("falls", &P::falls), field("heldBall", &P::heldBall), field("lift", &P::lift),
         field("noLoad", &P::noLoad, "rad/s", 1, 100), field("weight", &P::weight, "1/cm", 0, 10),
         field("lever", &P::lever, "cm", 1, 100), field("legLength", &P::legLength, "cm", 1, 100),
-        field("leastSpeed", &P::leastSpeed, "cm/s", 0.1, 100),
+        field("minSpeed", &P::minSpeed, "cm/s", 0.1, 100),
         field("delayTicks", &P::delayTicks, "", 0, 60), field("stuckLoad", &P::stuckLoad, "", 0, 1),
         field("freeLoad", &P::freeLoad, "", 0, 1),
         field("stuckSeconds", &P::stuckSeconds, "s", 0, 10),

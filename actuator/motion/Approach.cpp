@@ -21,13 +21,13 @@ void begin(const ActuatorParams& params, ApproachState& state) {
 
 JointAngles approached(const JointAngles& pose, const JointAngles& now,
                        const ActuatorParams& params, ApproachState& state) {
-  const double most = params.startRate.rad() * kTickSeconds;
+  const double max = params.startRate.rad() * kTickSeconds;
   const double way = longestWay(now, pose);
-  if (state.ticks <= 1 && way <= most) {
+  if (state.ticks <= 1 && way <= max) {
     state = {};
     return pose;
   }
-  const double share = std::fmin(1.0 / std::fmax(state.ticks, 1.0), most / std::fmax(way, most));
+  const double share = std::fmin(1.0 / std::fmax(state.ticks, 1.0), max / std::fmax(way, max));
   if (state.ticks > 1) --state.ticks;
   JointAngles next;
   for (std::size_t j = 0; j < kJointCount; ++j)

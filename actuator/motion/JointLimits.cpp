@@ -20,8 +20,8 @@ void keepClear(LegId leg, const JointAngles& last, JointAngles& now) {
   const auto lowest = [leg](Angle at) { return body::lowestShoulder(leg, at.deg()); };
   if (shoulder.deg() >= lowest(rotator) - kRounding) return;
   if (before.deg() < lowest(rotator) - kRounding) rotator = last.angle[firstJoint(leg)];
-  const double least = std::fmin(before.deg(), lowest(rotator));
-  if (shoulder.deg() < least) shoulder = Angle::deg(least);
+  const double min = std::fmin(before.deg(), lowest(rotator));
+  if (shoulder.deg() < min) shoulder = Angle::deg(min);
 }
 
 }  // namespace
@@ -31,12 +31,12 @@ JointAngles limited(const JointAngles& wanted, const JointAngles& last, const Sl
   JointAngles result = last;
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const bool leg = j >= index(Joint::leftFrontRotator) && j <= index(Joint::rightHindKnee);
-    const double most = leg ? slew.legs.rad() : slew.head.rad();
+    const double max = leg ? slew.legs.rad() : slew.head.rad();
     const double change = inside.angle[j].rad() - last.angle[j].rad();
     if (!std::isfinite(change)) continue;
-    result.angle[j] = std::fabs(change) <= most
+    result.angle[j] = std::fabs(change) <= max
                           ? inside.angle[j]
-                          : Angle::rad(last.angle[j].rad() + std::copysign(most, change));
+                          : Angle::rad(last.angle[j].rad() + std::copysign(max, change));
   }
   for (std::size_t leg = 0; leg < kLegCount; ++leg)
     keepClear(static_cast<LegId>(leg), last, result);

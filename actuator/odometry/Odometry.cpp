@@ -59,9 +59,9 @@ const CommandedTick& shown(std::size_t tick, const OdometryParams& params,
 
 void recordLoad(double load, OdometryState& state) {
   constexpr double kSeconds = 2.0;  // of carpet and battery, not of somebody who pushes
-  constexpr double kMost = 0.06;    // loads of free walks on varied models are within 0.03
+  constexpr double kMax = 0.06;     // loads of free walks on varied models are within 0.03
   constexpr double kShare = kTicksPerMessage * kTickSeconds / kSeconds;
-  state.load += kShare * (maths::clamp(load, -kMost, kMost) - state.load);
+  state.load += kShare * (maths::clamp(load, -kMax, kMax) - state.load);
 }
 
 Felt felt(const Velocity& feet, OdometryState& state) {
@@ -84,7 +84,7 @@ Odometry odometry(const MotionInput& in, const SensedPoses& poses, const Odometr
   for (std::uint32_t i = 0; i < kTicksPerMessage; ++i) {
     const body::PlanarMotion feet = stepFootMotion(in.sensors[i], poses[i], state.feet);
     const CommandedTick& tick = shown(i, params, state);
-    stepReach(tick.told, !standing(tick.stride.phase), in.sensors[i].joints, state.reach);
+    stepReach(tick.reported, !standing(tick.stride.phase), in.sensors[i].joints, state.reach);
     const TickWay way = wayOf(tick, feet);
     addVariance(way, tick.motion, params, sum.variance);
     compose(swung(way, tick.swing, state.swing), sum);

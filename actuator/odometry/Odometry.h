@@ -5,9 +5,9 @@
 #pragma once
 
 #include "actuator/ActuatorParams.h"
+#include "actuator/odometry/BodyOscillation.h"
 #include "actuator/odometry/FootMotion.h"
-#include "actuator/odometry/Sway.h"
-#include "actuator/odometry/Told.h"
+#include "actuator/odometry/OdometryTerms.h"
 #include "actuator/walk/Feet.h"
 #include "robot/core/types/Motion.h"
 
@@ -22,7 +22,7 @@ struct CommandedTick {
   OdometryVariance motion;  // of a special motion
   Stride stride;            // standing in motions
   Swing swing;              // of that stride
-  LegPower told{};          // what the legs were told to move
+  LegPower reported{};      // what the legs were told to move
   Felt felt;                // until then
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kSeconds = 0.4;  // about a step
 constexpr double kShare = kTickSeconds / kSeconds;
-constexpr double kMost = 0.3;  // walks on varied models are within 0.15
+constexpr double kMax = 0.3;  // walks on varied models are within 0.15
 // rad2 a tick, a twentieth of a quick walk's: less than half a step's worth says little, and the
 // sensors' noise is a twentieth of it.
 constexpr double kLittle = 1e-4;
@@ -18,7 +18,7 @@ void lowPass(const LegPower& now, LegPower& mean) {
 }
 
 double reach(double asked, double done) {
-  return maths::clamp(std::sqrt((done + kLittle) / (asked + kLittle)) - 1.0, -kMost, kMost);
+  return maths::clamp(std::sqrt((done + kLittle) / (asked + kLittle)) - 1.0, -kMax, kMax);
 }
 
 SideReach ofSide(std::size_t first, const ReachState& state) {
@@ -40,8 +40,8 @@ LegPower movedBy(const JointAngles& from, const JointAngles& to) {
   return power;
 }
 
-void stepReach(const LegPower& told, bool walks, const JointAngles& joints, ReachState& state) {
-  lowPass(walks ? told : LegPower{}, state.asked);
+void stepReach(const LegPower& reported, bool walks, const JointAngles& joints, ReachState& state) {
+  lowPass(walks ? reported : LegPower{}, state.asked);
   lowPass(walks ? movedBy(state.felt, joints) : LegPower{}, state.done);
   state.felt = joints;
 }

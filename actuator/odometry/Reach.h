@@ -30,7 +30,7 @@ struct ReachState {
 };
 
 // One tick: what the joints were told to move when they were told what they show now.
-void stepReach(const LegPower& told, bool walks, const JointAngles& joints, ReachState& state);
+void stepReach(const LegPower& reported, bool walks, const JointAngles& joints, ReachState& state);
 
 Reach reachOf(const ReachState& state);
 

@@ -13,18 +13,19 @@ Point2<Robot> groundBefore(Point2<Robot> at, const Velocity& v, double before) {
   const double turned = v.turn * before;
   const maths::SinCos whole = maths::sinCos(turned);
   const maths::SinCos half = maths::sinCos(0.5 * turned);
-  const double aside = -v.left * before;
+  const double lateral = -v.left * before;
   const double ahead = v.forward * before;
-  return {whole.cos * at.x - whole.sin * at.y + half.cos * aside - half.sin * ahead,
-          whole.sin * at.x + whole.cos * at.y + half.sin * aside + half.cos * ahead};
+  return {whole.cos * at.x - whole.sin * at.y + half.cos * lateral - half.sin * ahead,
+          whole.sin * at.x + whole.cos * at.y + half.sin * lateral + half.cos * ahead};
 }
 
 }  // namespace
 
 Point3<Robot> footHome(LegId leg, const StanceParams& stance) {
   const bool left = leg == LegId::leftFront || leg == LegId::leftHind;
-  const double aside = body::isFront(leg) ? stance.frontAside : stance.hindAside;
-  return {left ? -aside : aside, body::isFront(leg) ? stance.frontAhead : -stance.hindBehind, 0.0};
+  const double lateral = body::isFront(leg) ? stance.frontLateral : stance.hindLateral;
+  return {left ? -lateral : lateral, body::isFront(leg) ? stance.frontAhead : -stance.hindBehind,
+          0.0};
 }
 
 Point3<Robot> footPlace(LegId leg, const WalkSet& set, const Velocity& velocity,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the way of a walk is told, as numbers of that walk: each is a share of one term of Told.h.
-// `kelpie calibrate walk` fits them to walks on varied models.
+// How the way of a walk is told, as numbers of that walk: each is a share of one term of
+// OdometryTerms.h. `kelpie calibrate walk` fits them to walks on varied models.
 #pragma once
 
 #include "actuator/walk/SideReach.h"
@@ -71,7 +71,7 @@ struct AcrossTerms {
   double speedLeft = 0.0;  // |forward| times left
   double speedTurn = 0.0;
   double leftTurning = 0.0;  // left times |turn|
-  double turnAside = 0.0;    // turn times |left|
+  double turnLateral = 0.0;  // turn times |left|
   FeltTerms felt;
   SideReach otherLegs;
   SideReach otherLegsBent;
@@ -90,7 +90,7 @@ struct AcrossTerms {
                      field("speedLeft", &P::speedLeft, "", -30, 30),
                      field("speedTurn", &P::speedTurn, "", -30, 30),
                      field("leftTurning", &P::leftTurning, "", -30, 30),
-                     field("turnAside", &P::turnAside, "", -30, 30), field("felt", &P::felt),
+                     field("turnLateral", &P::turnLateral, "", -30, 30), field("felt", &P::felt),
                      field("otherLegs", &P::otherLegs), field("otherLegsBent", &P::otherLegsBent));
   }
 };

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "actuator/walk/WalkOdometry.h"
-#include "actuator/walk/WalkSway.h"
+#include "actuator/walk/WalkOscillation.h"
 #include "robot/core/types/Command.h"
 
 namespace kelpie::actuator {
@@ -21,10 +21,10 @@ constexpr std::uint8_t kLocusShapeCount = 3;
 struct StanceParams {
   double shoulderHeight = 10.2;  // cm, of the front shoulder axis
   Angle bodyTilt = Angle::deg(10.5);
-  double frontAhead = 2.0;   // front feet ahead of the neck base
-  double frontAside = 9.5;   // and from the middle
-  double hindBehind = 13.0;  // hind feet behind the neck base
-  double hindAside = 10.1;
+  double frontAhead = 2.0;    // front feet ahead of the neck base
+  double frontLateral = 9.5;  // and from the middle
+  double hindBehind = 13.0;   // hind feet behind the neck base
+  double hindLateral = 10.1;
 
   template <int = 0>
   static constexpr auto fields() {
@@ -32,9 +32,9 @@ struct StanceParams {
     return fieldList(field("shoulderHeight", &P::shoulderHeight, "cm", 5, 14),
                      field("bodyTilt", &P::bodyTilt, "rad", -10, 40),
                      field("frontAhead", &P::frontAhead, "cm", -5, 10),
-                     field("frontAside", &P::frontAside, "cm", 4, 12),
+                     field("frontLateral", &P::frontLateral, "cm", 4, 12),
                      field("hindBehind", &P::hindBehind, "cm", 4, 20),
-                     field("hindAside", &P::hindAside, "cm", 4, 12));
+                     field("hindLateral", &P::hindLateral, "cm", 4, 12));
   }
 };
 
@@ -146,18 +146,18 @@ struct FreeLoad {
 struct WalkSet {
   StanceParams stance;
   GaitParams gait;
-  StrokeLimits most;
+  StrokeLimits max;
   WalkCalibration calibration;
   WalkOdometry odometry = exactOdometry();
   FreeLoad freeLoad;
-  WalkSway sway;
+  WalkOscillation oscillation;
 
   template <int = 0>
   static constexpr auto fields() {
     using P = WalkSet;
-    return fieldList(field("stance", &P::stance), field("gait", &P::gait), field("most", &P::most),
+    return fieldList(field("stance", &P::stance), field("gait", &P::gait), field("max", &P::max),
                      field("calibration", &P::calibration), field("odometry", &P::odometry),
-                     field("freeLoad", &P::freeLoad), field("sway", &P::sway));
+                     field("freeLoad", &P::freeLoad), field("oscillation", &P::oscillation));
   }
 };
 

@@ -45,28 +45,28 @@ Velocity times(double share, const Velocity& v) {
 }
 
 // 1 where the feet go as far as they may.
-double strokeShare(const Velocity& feet, const StrokeLimits& most) {
-  return std::sqrt(square(feet.forward / (feet.forward < 0.0 ? most.back : most.forward)) +
-                   square(feet.left / most.left) + square(feet.turn / most.turn));
+double strokeShare(const Velocity& feet, const StrokeLimits& max) {
+  return std::sqrt(square(feet.forward / (feet.forward < 0.0 ? max.back : max.forward)) +
+                   square(feet.left / max.left) + square(feet.turn / max.turn));
 }
 
 // The most that the feet do of a request that is beyond them. The request shrinks until they can,
 // not their speeds: the calibration's curves end where the feet do, and asked for 20 rad/s they
 // made a turn on the spot 11 deg/s faster and 6 cm/s astray.
-Velocity mostTowards(const Velocity& real, const WalkSet& set) {
-  double least = 0.0;
-  double most = 1.0;
+Velocity maxTowards(const Velocity& real, const WalkSet& set) {
+  double min = 0.0;
+  double max = 1.0;
   for (int round = 0; round < kHalvings; ++round) {
-    const double share = 0.5 * (least + most);
+    const double share = 0.5 * (min + max);
     const Velocity feet = feetSpeed(times(share, real), set.calibration);
-    (strokeShare(feet, set.most) > 1.0 ? most : least) = share;
+    (strokeShare(feet, set.max) > 1.0 ? max : min) = share;
   }
-  const Velocity feet = feetSpeed(times(most, real), set.calibration);
-  return times(1.0 / std::fmax(1.0, strokeShare(feet, set.most)), feet);
+  const Velocity feet = feetSpeed(times(max, real), set.calibration);
+  return times(1.0 / std::fmax(1.0, strokeShare(feet, set.max)), feet);
 }
 
-double approach(double now, double target, double most) {
-  return now + maths::clamp(target - now, -most, most);
+double approach(double now, double target, double max) {
+  return now + maths::clamp(target - now, -max, max);
 }
 
 }  // namespace
@@ -97,12 +97,12 @@ Velocity wantedSpeed(const WalkRequest& request, const WalkSet& set) {
                       turn};
   if (still(real)) return {};
   const Velocity feet = feetSpeed(real, set.calibration);
-  return strokeShare(feet, set.most) > 1.0 ? mostTowards(real, set) : feet;
+  return strokeShare(feet, set.max) > 1.0 ? maxTowards(real, set) : feet;
 }
 
 Velocity approached(const Velocity& now, const Velocity& wanted, const GaitParams& gait) {
-  const double most = gait.acceleration * kTickSeconds;
-  return {approach(now.forward, wanted.forward, most), approach(now.left, wanted.left, most),
+  const double max = gait.acceleration * kTickSeconds;
+  return {approach(now.forward, wanted.forward, max), approach(now.left, wanted.left, max),
           approach(now.turn, wanted.turn, gait.turnAcceleration * kTickSeconds)};
 }
 

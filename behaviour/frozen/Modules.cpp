@@ -9,12 +9,12 @@
 namespace kelpie::behaviour {
 namespace {
 
-constexpr Py_ssize_t kRoom = 704 << 10;   // bytes; a zip of today takes 600 KB
-constexpr std::size_t kBlock = 64 << 10;  // bytes that the C library asks the system for at once
+constexpr Py_ssize_t kCapacity = 704 << 10;  // bytes; a zip of today takes 600 KB
+constexpr std::size_t kBlock = 64 << 10;     // bytes that the C library asks the system for at once
 
 // All of an open file as Python's bytes. Null, with an error set: no memory.
 PythonRef bytesOf(std::FILE* file) {
-  PyObject* bytes = PyBytes_FromStringAndSize(nullptr, kRoom);
+  PyObject* bytes = PyBytes_FromStringAndSize(nullptr, kCapacity);
   Py_ssize_t size = 0;
   while (bytes != nullptr) {
     const auto room = static_cast<std::size_t>(PyBytes_GET_SIZE(bytes) - size);

@@ -11,7 +11,7 @@ namespace kelpie::behaviour {
 namespace {
 
 constexpr auto kReserve = std::ptrdiff_t{1} << 20;  // an arena
-constexpr auto kMost = std::numeric_limits<std::ptrdiff_t>::max() - kReserve;
+constexpr auto kMax = std::numeric_limits<std::ptrdiff_t>::max() - kReserve;
 
 std::ptrdiff_t sizeOf(void* block) {
   return static_cast<std::ptrdiff_t>(malloc_usable_size(block));
@@ -26,7 +26,7 @@ struct Heap::Hooks {
   PyObjectArenaAllocator arenas{};
   bool set = false;
   std::ptrdiff_t used = 0;
-  std::ptrdiff_t limit = kMost;
+  std::ptrdiff_t limit = kMax;
   bool refused = false;  // a small piece, since the limit was set
 
   // Where there is no arena, Python asks for single blocks: the limit is reached when one of those
@@ -105,7 +105,7 @@ std::size_t Heap::used() const {
 
 void Heap::limit(std::size_t bytes) {
   hooks_->refused = false;
-  hooks_->limit = static_cast<std::ptrdiff_t>(std::min(bytes, static_cast<std::size_t>(kMost)));
+  hooks_->limit = static_cast<std::ptrdiff_t>(std::min(bytes, static_cast<std::size_t>(kMax)));
 }
 
 }  // namespace kelpie::behaviour

@@ -79,8 +79,8 @@ bool readInteger(PyObject* object, T& value, const Limits& limits, std::string& 
   }
   double number = 0.0;
   if (!readNumber(object, number, why)) return false;
-  constexpr double kMost = sizeof(T) == 1 ? 255.0 : 4294967295.0;
-  number = maths::clamp(number, std::max(limits.min, 0.0), std::min(limits.max, kMost));
+  constexpr double kMax = sizeof(T) == 1 ? 255.0 : 4294967295.0;
+  number = maths::clamp(number, std::max(limits.min, 0.0), std::min(limits.max, kMax));
   value = static_cast<T>(static_cast<std::uint32_t>(number));
   return true;
 }

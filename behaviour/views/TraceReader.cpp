@@ -10,7 +10,7 @@ namespace kelpie::behaviour {
 namespace {
 
 constexpr Py_ssize_t kTexts = 4;  // elements before the numbers: the layer and three texts
-constexpr double kMost = 1e6;     // of the field list
+constexpr double kMax = 1e6;      // of the field list
 
 std::string kindOf(PyObject* object) { return std::string(" is a ") + Py_TYPE(object)->tp_name; }
 
@@ -21,9 +21,9 @@ bool readLayer(PyObject* object, TraceLayer& layer, std::string& why) {
   }
   int beyond = 0;  // -1 or 1 where it does not even fit a long
   const long number = PyLong_AsLongAndOverflow(object, &beyond);
-  const long most = kTraceLayerCount - 1;
-  const long least = beyond < 0 ? 0 : most;
-  layer = static_cast<TraceLayer>(beyond != 0 ? least : std::clamp(number, 0L, most));
+  const long max = kTraceLayerCount - 1;
+  const long min = beyond < 0 ? 0 : max;
+  layer = static_cast<TraceLayer>(beyond != 0 ? min : std::clamp(number, 0L, max));
   return true;
 }
 
@@ -51,7 +51,7 @@ bool readNumber(PyObject* object, double& number, std::string& why) {
     why = " is not a number";
     return false;
   }
-  number = maths::clamp(number, -kMost, kMost);
+  number = maths::clamp(number, -kMax, kMax);
   return true;
 }
 

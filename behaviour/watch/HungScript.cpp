@@ -14,8 +14,8 @@
 namespace kelpie::behaviour {
 namespace {
 
-constexpr std::size_t kRoom = 16U << 10U;  // of a traceback: 80 calls with their files
-constexpr std::size_t kMostOfLine = 100;   // of the script's text
+constexpr std::size_t kCapacity = 16U << 10U;  // of a traceback: 80 calls with their files
+constexpr std::size_t kMaxOfLine = 100;        // of the script's text
 
 // A text that is cut where its room ends.
 class Text {
@@ -40,7 +40,7 @@ class Text {
   }
 
  private:
-  std::array<char, kRoom> bytes_;
+  std::array<char, kCapacity> bytes_;
   std::size_t size_ = 0;
 };
 
@@ -86,7 +86,7 @@ std::string_view lineOf(std::string_view text, int number) {
   }
   text = text.substr(0, text.find('\n'));
   const std::size_t begin = text.find_first_not_of(" \t");
-  return begin == std::string_view::npos ? std::string_view{} : text.substr(begin, kMostOfLine);
+  return begin == std::string_view::npos ? std::string_view{} : text.substr(begin, kMaxOfLine);
 }
 
 void addSource(const Place& place, Text& line) {

@@ -45,9 +45,9 @@ struct SightingSd {
 };
 
 SightingSd errorOf(const BallPercept& p, double headSpeed, const BallFilterParams& params) {
-  const double told = maths::square(1.0 / p.distance) * p.distanceVariance;
+  const double reported = maths::square(1.0 / p.distance) * p.distanceVariance;
   const double share =
-      maths::clamp(told, maths::square(params.leastShare), maths::square(params.mostShare)) +
+      maths::clamp(reported, maths::square(params.minShare), maths::square(params.maxShare)) +
       maths::square(params.sharePerHeadSpeed * headSpeed);
   const double heading = p.headingVariance + maths::square(params.headingSd.rad()) +
                          maths::square(params.headingLate * headSpeed);
@@ -58,10 +58,10 @@ BallSighting sighting(const BallPercept& p, double headSpeed, const BallFilterPa
   const Point2<Robot> at = robotPolar(p.distance, p.heading);
   const Vector2 along(at.x / p.distance, at.y / p.distance);
   const Vector2 across(-along(1), along(0));
-  const double least = cut(p) ? kCutSd : params.minSd;
+  const double min = cut(p) ? kCutSd : params.minSd;
   const SightingSd sd = errorOf(p, headSpeed, params);
-  const double radial = maths::square(std::max(sd.along * p.distance, least));
-  const double sideways = maths::square(std::max(sd.across * p.distance, least));
+  const double radial = maths::square(std::max(sd.along * p.distance, min));
+  const double sideways = maths::square(std::max(sd.across * p.distance, min));
   return {Vector2(at.x, at.y),
           radial * along * along.transpose() + sideways * across * across.transpose()};
 }

@@ -40,8 +40,8 @@ struct BallFilterParams {
   // What one is wrong by in matches: 2 to 4 % of its distance and 1 deg while the head moves by
   // less than 2.5 deg a frame, 10 % and 2 deg at 17. Believed to 3 %, what a look aside and back
   // showed of a lying ball made it roll at 1 m/s: in 24 matches in a third of the frames.
-  double leastShare = 0.02;  // of its distance: least and most error of one,
-  double mostShare = 0.04;
+  double minShare = 0.02;  // of its distance: least and most error of one,
+  double maxShare = 0.04;
   double sharePerHeadSpeed = 0.35;  // and more per rad a frame of the head's speed
   Angle headingSd = Angle::deg(0.7);
   double headingLate = 0.12;       // frames; of the head's speed, its heading is wrong by more
@@ -70,8 +70,8 @@ struct BallFilterParams {
                      field("stopRate", &B::stopRate, "1/s", 0, 30),
                      field("stopSpeed", &B::stopSpeed, "cm/s", 0, 100),
                      field("minSd", &B::minSd, "cm", 0.1, 100),
-                     field("leastShare", &B::leastShare, "", 0.001, 1),
-                     field("mostShare", &B::mostShare, "", 0.001, 10),
+                     field("minShare", &B::minShare, "", 0.001, 1),
+                     field("maxShare", &B::maxShare, "", 0.001, 10),
                      field("sharePerHeadSpeed", &B::sharePerHeadSpeed, "/rad", 0, 10),
                      field("headingSd", &B::headingSd, "rad", 0, 45),
                      field("headingLate", &B::headingLate, "", 0, 10),

@@ -127,11 +127,11 @@ void jumpModels(double elapsed, const BallFilterParams& params, BallTrack& ball)
   combineModels(ball);
 }
 
-bool correctModels(const BallSighting& z, double gate, double leastWeight, BallTrack& ball) {
+bool correctModels(const BallSighting& z, double gate, double minWeight, BallTrack& ball) {
   const Fit still = fitOf(ball.still, z);
   const Fit rolling = fitOf(ball.rolling, z);
-  const bool stillFits = ball.still.weight > leastWeight && still.squared <= gate * gate;
-  const bool rollingFits = ball.rolling.weight > leastWeight && rolling.squared <= gate * gate;
+  const bool stillFits = ball.still.weight > minWeight && still.squared <= gate * gate;
+  const bool rollingFits = ball.rolling.weight > minWeight && rolling.squared <= gate * gate;
   if (!stillFits && !rollingFits) return false;
   correct(z, still, ball.still);
   correct(z, rolling, ball.rolling);

@@ -27,9 +27,9 @@ void predictModels(const Odometry& odometry, const StepNoise& noise, double elap
 // A kick or a bounce within the last `elapsed` seconds: the velocity is unknown.
 void jumpModels(double elapsed, const BallFilterParams& params, BallTrack& ball);
 
-// False when the sighting lies outside the gate of both models (one of less than `leastWeight` does
+// False when the sighting lies outside the gate of both models (one of less than `minWeight` does
 // not count); nothing is changed then.
-bool correctModels(const BallSighting& z, double gate, double leastWeight, BallTrack& ball);
+bool correctModels(const BallSighting& z, double gate, double minWeight, BallTrack& ball);
 
 // Adds to the variance of the position, cm2.
 void widenModels(double variance, BallTrack& ball);

@@ -81,7 +81,7 @@ SeenEnd endIn(const EdgeView& view, const FieldEdgePercept& edge, double column)
   const double place =
       view.mode.covariance[0] + view.mode.covariance[4] + maths::square(kEdgePlace);
   const double variance = pixelSd * pixelSd + place * maths::square(h / (end.away * end.away)) +
-                          maths::square(view.params.swaySd.rad());
+                          maths::square(view.params.oscillationSd.rad());
   const double excess = -maths::atan(ray.z / level) - maths::atan(h / end.away);
   return {true, {way.x, way.y, excess, variance}, end.border};
 }

@@ -23,10 +23,8 @@ void update(const Sighting& z, const FocalParams& params, FocalScale& focal) {
   const double variance = z.slope * z.slope * focal.variance + z.variance;
   if (!(z.innovation * z.innovation <= maths::square(params.gate) * variance)) return;
   const double gain = z.slope * focal.variance / variance;
-  focal.ratio =
-      maths::clamp(focal.ratio + gain * z.innovation, 1.0 - params.most, 1.0 + params.most);
-  focal.variance =
-      std::fmax(focal.variance * (1.0 - gain * z.slope), maths::square(params.leastSd));
+  focal.ratio = maths::clamp(focal.ratio + gain * z.innovation, 1.0 - params.max, 1.0 + params.max);
+  focal.variance = std::fmax(focal.variance * (1.0 - gain * z.slope), maths::square(params.minSd));
 }
 
 // Beside the camera's axis, positive to the left.

@@ -10,8 +10,8 @@ namespace kelpie::gps {
 struct FocalParams {
   bool use = true;           // otherwise the focal length is what the body's parameters say
   double initialSd = 0.025;  // lenses of one make differ by 4 % and less
-  double most = 0.08;        // of the scale from 1
-  double leastSd = 0.004;    // however many sightings agree
+  double max = 0.08;         // of the scale from 1
+  double minSd = 0.004;      // however many sightings agree
   double distanceSd = 0.03;  // share of a distance, of one sighting
   Angle maxHeadingSd = Angle::deg(6);  // of the mode
   double gate = 4.0;                   // standard deviations
@@ -20,8 +20,7 @@ struct FocalParams {
   static constexpr auto fields() {
     using P = FocalParams;
     return fieldList(field("use", &P::use), field("initialSd", &P::initialSd, "", 1e-4, 0.2),
-                     field("most", &P::most, "", 0, 0.3),
-                     field("leastSd", &P::leastSd, "", 1e-5, 0.1),
+                     field("max", &P::max, "", 0, 0.3), field("minSd", &P::minSd, "", 1e-5, 0.1),
                      field("distanceSd", &P::distanceSd, "", 0, 10),
                      field("maxHeadingSd", &P::maxHeadingSd, "rad", 0.1, 90),
                      field("gate", &P::gate, "", 1, 100));

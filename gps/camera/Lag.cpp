@@ -9,7 +9,7 @@ namespace kelpie::gps {
 namespace {
 
 constexpr double kKnownSd = 1e-4;  // s, where it is not estimated
-constexpr double kLeastSd = 1e-3;  // s: joints and images are ticks apart
+constexpr double kMinSd = 1e-3;    // s: joints and images are ticks apart
 
 }  // namespace
 
@@ -33,8 +33,8 @@ void updateLag(const FrameInput& input, const PoseMode& mode, const Measurement&
   const double variance = rate * rate * lag.variance + mode.covariance[8] + seen.headingVariance;
   if (!(innovation * innovation <= maths::square(params.gate) * variance)) return;
   const double gain = rate * lag.variance / variance;
-  lag.seconds = maths::clamp(lag.seconds + gain * innovation, 0.0, params.most);
-  lag.variance = std::fmax(lag.variance * (1.0 - gain * rate), maths::square(kLeastSd));
+  lag.seconds = maths::clamp(lag.seconds + gain * innovation, 0.0, params.max);
+  lag.variance = std::fmax(lag.variance * (1.0 - gain * rate), maths::square(kMinSd));
 }
 
 }  // namespace kelpie::gps

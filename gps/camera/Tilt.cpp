@@ -20,8 +20,8 @@ void add(const ElevationError& error, Angle heading, const TiltParams& params,
          TiltSightings& sightings) {
   const double excess = -error.value.rad();
   if (!(error.variance > 0.0) || !std::isfinite(error.variance) || !std::isfinite(excess)) return;
-  sightings.push_back(
-      {-heading.sin(), heading.cos(), excess, error.variance + maths::square(params.swaySd.rad())});
+  sightings.push_back({-heading.sin(), heading.cos(), excess,
+                       error.variance + maths::square(params.oscillationSd.rad())});
 }
 
 // Of a body at rest: the part of gravity along and across it, as far as the stance does not expect
@@ -92,12 +92,12 @@ CameraTilt startingTilt(const TiltParams& params) {
 void driftTilt(double elapsed, const TiltParams& params, Modes& modes) {
   if (!params.use) return;
   const double grown = elapsed * maths::square(params.driftSd.rad());
-  const double most = maths::square(params.initialSd.rad());
+  const double max = maths::square(params.initialSd.rad());
   for (PoseMode& mode : modes) {
     double& tilt = mode.tilt.tiltVariance;
     double& roll = mode.tilt.rollVariance;
-    tilt = std::max(tilt, std::min(tilt + grown, most));
-    roll = std::max(roll, std::min(roll + grown, most));
+    tilt = std::max(tilt, std::min(tilt + grown, max));
+    roll = std::max(roll, std::min(roll + grown, max));
   }
 }
 

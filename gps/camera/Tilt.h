@@ -4,7 +4,7 @@
 // much higher they are seen than they stand (ElevationError), lines by lying better on the painted
 // ones (LineUpdate), and the accelerometer a little. Thesis 2004 has no such state; its robots'
 // tilts were wrong by up to 3 deg (facts-2005 section 2.1). Wrong after the body's stance changes
-// until the next sighting, and while a walking body sways by more than `swaySd`.
+// until the next sighting, and while a walking body sways by more than `oscillationSd`.
 #pragma once
 
 #include "gps/GpsIn.h"

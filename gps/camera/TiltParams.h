@@ -12,9 +12,9 @@ struct TiltParams {
   bool joint = true;  // keeps what the errors of tilt and pose have in common; off: two filters
   // Tilts of 95 % of the robots are within 3 deg (facts-2005 section 2.1).
   Angle initialSd = Angle::deg(1.5);
-  Angle driftSd = Angle::deg(0.4);  // after a second: the neck's play, feet that sink in
-  Angle swaySd = Angle::deg(0.2);   // of one image: joints' noise, the walking body
-  double gate = 3.5;                // standard deviations; beyond, a sighting is something else's
+  Angle driftSd = Angle::deg(0.4);        // after a second: the neck's play, feet that sink in
+  Angle oscillationSd = Angle::deg(0.2);  // of one image: joints' noise, the walking body
+  double gate = 3.5;  // standard deviations; beyond, a sighting is something else's
   // Of a robot's accelerometer, which a mean over many images does not make smaller: the sd of one
   // image that leaves this much after ten seconds is 17 times as large [chosen].
   Angle accelerometerSd = Angle::deg(2.0);
@@ -25,7 +25,7 @@ struct TiltParams {
     return fieldList(field("use", &P::use), field("joint", &P::joint),
                      field("initialSd", &P::initialSd, "rad", 0.01, 10),
                      field("driftSd", &P::driftSd, "rad", 0, 10),
-                     field("swaySd", &P::swaySd, "rad", 0.01, 10),
+                     field("oscillationSd", &P::oscillationSd, "rad", 0.01, 10),
                      field("gate", &P::gate, "", 1, 100),
                      field("accelerometerSd", &P::accelerometerSd, "rad", 0.01, 90));
   }

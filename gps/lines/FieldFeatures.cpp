@@ -49,11 +49,11 @@ FieldFeatures::Piece FieldFeatures::straightPiece(const body::FieldLine& line) {
 
 std::uint8_t FieldFeatures::nearestPiece(Point2<Field> p) const {
   std::size_t best = 0;
-  double least = 1e9;
+  double min = 1e9;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const double here = std::fabs(distanceTo(pieces_[i], p).value);
-    if (here < least) {
-      least = here;
+    if (here < min) {
+      min = here;
       best = i;
     }
   }

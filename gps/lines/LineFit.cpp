@@ -256,14 +256,14 @@ bool usable(const LinePoint& p) {
 }
 
 template <typename Kept>
-void thin(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std::size_t most,
+void thin(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std::size_t max,
           Kept& kept) {
   std::size_t count = 0;
   for (const LinePoint& p : points) count += p.kind == kind && usable(p) ? 1 : 0;
   std::size_t index = 0;
   for (const LinePoint& p : points) {
     if (p.kind != kind || !usable(p)) continue;
-    if (isSpread(index++, count, most))
+    if (isSpread(index++, count, max))
       kept.push_back({p.position, p.weight, kind == LinePointKind::border});
   }
 }
@@ -272,9 +272,9 @@ void thin(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std::si
 
 SeenLines seenLines(const FixedVector<LinePoint, 256>& points, const LineUpdateParams& params) {
   SeenLines seen;
-  const auto most = std::min<std::size_t>(params.maxPoints, kMaxLinePoints);
-  thin(points, LinePointKind::line, most, seen.lines);
-  thin(points, LinePointKind::border, most, seen.lines);
+  const auto max = std::min<std::size_t>(params.maxPoints, kMaxLinePoints);
+  thin(points, LinePointKind::line, max, seen.lines);
+  thin(points, LinePointKind::border, max, seen.lines);
   thin(points, LinePointKind::field, 12, seen.carpet);
   return seen;
 }

@@ -34,9 +34,9 @@ struct SeenLines {
   CameraTilt readWith;
 };
 
-// Whether the index is one of `most` that are spread evenly over `count`.
-inline bool isSpread(std::size_t index, std::size_t count, std::size_t most) {
-  return count <= most || (index + 1) * most / count != index * most / count;
+// Whether the index is one of `max` that are spread evenly over `count`.
+inline bool isSpread(std::size_t index, std::size_t count, std::size_t max) {
+  return count <= max || (index + 1) * max / count != index * max / count;
 }
 
 // Lines and border evenly thinned to `maxPoints` each; points that are not finite or have no weight

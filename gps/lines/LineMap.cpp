@@ -81,7 +81,7 @@ void decay(double elapsed, const LineMapParams& params, LineMap& map) {
 }
 
 // Points on green say little: they must not take the room of the lines.
-bool hasRoom(const LineMap& map, LinePointKind kind, const LineMapParams& params) {
+bool hasCapacity(const LineMap& map, LinePointKind kind, const LineMapParams& params) {
   return kind != LinePointKind::field || countOf(map, kind) < params.maxCarpet;
 }
 
@@ -103,7 +103,7 @@ bool isStale(const LineMap& map, const LineMapParams& params) {
   return map.refused > params.maxRefused || map.unmatchedShare > params.maxUnmatchedShare;
 }
 
-void addKind(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std::size_t most,
+void addKind(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std::size_t max,
              const LineMapParams& params, LineMap& map) {
   constexpr double kSettledSeconds = 2.0;  // s
   std::size_t count = 0;
@@ -111,7 +111,7 @@ void addKind(const FixedVector<LinePoint, 256>& points, LinePointKind kind, std:
   std::size_t index = 0;
   for (const LinePoint& p : points) {
     if (p.kind != kind) continue;
-    if (!isSpread(index++, count, most)) continue;
+    if (!isSpread(index++, count, max)) continue;
     const bool unmatched = !add(p, params, map);
     if (kind != LinePointKind::field && map.age > kSettledSeconds) noteUnmatched(unmatched, map);
   }
@@ -154,7 +154,7 @@ bool add(const LinePoint& point, const LineMapParams& params, LineMap& map) {
     remove(i, map);
     i = 0;  // it has moved, perhaps into another's region
   }
-  if (isNew && !hasRoom(map, mine.kind, params)) return false;
+  if (isNew && !hasCapacity(map, mine.kind, params)) return false;
   if (map.points.push_back(mine) && mine.kind != LinePointKind::field) map.newCount += gained;
   return !isNew;
 }
@@ -170,7 +170,7 @@ void stepMap(const FrameInput& input, const FixedVector<LinePoint, 256>& points,
   decay(elapsedOf(input), p, map);
 }
 
-SeenLines seenLines(const LineMap& map, std::size_t most, const LineMapParams& params) {
+SeenLines seenLines(const LineMap& map, std::size_t max, const LineMapParams& params) {
   SeenLines seen;
   const std::size_t count = countOfWhite(map);
   const std::size_t green = countOf(map, LinePointKind::field);
@@ -183,7 +183,7 @@ SeenLines seenLines(const LineMap& map, std::size_t most, const LineMapParams& p
                           p.kind == LinePointKind::border};
     if (p.kind == LinePointKind::field && isSpread(carpet++, green, 12))
       seen.carpet.push_back(point);
-    if (p.kind == LinePointKind::field || !isSpread(line++, count, most)) continue;
+    if (p.kind == LinePointKind::field || !isSpread(line++, count, max)) continue;
     seen.lines.push_back(point);
     matched += point.weight;
   }

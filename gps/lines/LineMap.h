@@ -31,8 +31,8 @@ bool add(const LinePoint& point, const LineMapParams& params, LineMap& map);
 void stepMap(const FrameInput& input, const FixedVector<LinePoint, 256>& points,
              const LinesParams& params, LineMap& map);
 
-// The map's points as those of one frame, `most` of lines at most; `newEvidenceShare` is set.
-SeenLines seenLines(const LineMap& map, std::size_t most, const LineMapParams& params);
+// The map's points as those of one frame, `max` of lines at most; `newEvidenceShare` is set.
+SeenLines seenLines(const LineMap& map, std::size_t max, const LineMapParams& params);
 
 std::size_t countOf(const LineMap& map, LinePointKind kind);
 std::size_t countOfWhite(const LineMap& map);  // points of lines and of the border

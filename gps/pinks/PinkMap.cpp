@@ -15,8 +15,8 @@ double dot(Point2<Field> a, Point2<Field> b) { return a.x * b.x + a.y * b.y; }
 bool knowsItsPlace(const PoseState& pose, const PinkMapParams& params) {
   if (pose.lost || pose.modes.empty()) return false;
   const std::array<double, 9>& c = pose.modes[0].covariance;
-  const double most = maths::square(params.maxPositionSd);
-  return c[0] <= most && c[4] <= most && c[8] <= maths::square(params.maxHeadingSd.rad());
+  const double max = maths::square(params.maxPositionSd);
+  return c[0] <= max && c[4] <= max && c[8] <= maths::square(params.maxHeadingSd.rad());
 }
 
 std::optional<Refusal> refusal(const PinkBearing& bearing, const PinkSightings& seen,
@@ -75,19 +75,19 @@ PinkLandmark* glancedAt(const Ray& ray, Point2<Field> place, const PinkMapParams
   for (PinkLandmark& landmark : map) {
     const double away = distance(landmark.position, place);
     if (landmark.weight < params.minWeight || away <= params.mergeRadius) continue;
-    const double aside = std::fabs(cross(ray.along, landmark.position - ray.from));
-    if (away <= params.glanceReach && aside <= params.glanceAside) return &landmark;
+    const double lateral = std::fabs(cross(ray.along, landmark.position - ray.from));
+    if (away <= params.glanceReach && lateral <= params.glanceLateral) return &landmark;
   }
   return nullptr;
 }
 
 bool addToMap(Point2<Field> place, double mergeRadius, PinkLandmarks& map) {
   PinkLandmark* nearest = nullptr;
-  double least = mergeRadius;
+  double min = mergeRadius;
   for (PinkLandmark& landmark : map) {
     const double away = distance(landmark.position, place);
-    if (away > least) continue;
-    least = away;
+    if (away > min) continue;
+    min = away;
     nearest = &landmark;
   }
   if (nearest == nullptr) return map.push_back({place, 1.0});

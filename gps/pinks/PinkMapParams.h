@@ -80,11 +80,11 @@ struct PinkMapParams {
   // and then, the beacons gone, the robot took them for others; with 10 all were found, without
   // ghosts.
   double beaconClearance = 10.0;
-  double mergeRadius = 25.0;   // cm
-  double glanceReach = 60.0;   // cm between a patch and where a ray along its wall meets the wall
-  double glanceAside = 12.0;   // cm from the patch to that ray
-  double forgetSeconds = 4.0;  // every so often each weight falls by one
-  double maxPositionSd = 8.0;  // cm; a robot that knows its place less does not map
+  double mergeRadius = 25.0;    // cm
+  double glanceReach = 60.0;    // cm between a patch and where a ray along its wall meets the wall
+  double glanceLateral = 12.0;  // cm from the patch to that ray
+  double forgetSeconds = 4.0;   // every so often each weight falls by one
+  double maxPositionSd = 8.0;   // cm; a robot that knows its place less does not map
   Angle maxHeadingSd = Angle::deg(3);
   double minWeight = 3.0;                // of a mapped patch that the robot localises by
   double mapSd = 6.0;                    // cm, of a mapped patch
@@ -103,7 +103,7 @@ struct PinkMapParams {
         field("beaconClearance", &P::beaconClearance, "cm", 0, 200),
         field("mergeRadius", &P::mergeRadius, "cm", 0, 200),
         field("glanceReach", &P::glanceReach, "cm", 0, 500),
-        field("glanceAside", &P::glanceAside, "cm", 0, 200),
+        field("glanceLateral", &P::glanceLateral, "cm", 0, 200),
         field("forgetSeconds", &P::forgetSeconds, "s", 0.1, 1000),
         field("maxPositionSd", &P::maxPositionSd, "cm", 0.1, 1000),
         field("maxHeadingSd", &P::maxHeadingSd, "rad", 0.1, 180),

@@ -57,10 +57,10 @@ double shareOfPinks(const Ray& ray, const PinkLandmarks& pinks, Angle sd) {
   double sum = 0.0;
   for (const PinkLandmark& pink : pinks) {
     const Point2<Field> way = pink.position - ray.from;
-    const double aside = ray.along.x * way.y - ray.along.y * way.x;
+    const double lateral = ray.along.x * way.y - ray.along.y * way.x;
     const double away2 = way.x * way.x + way.y * way.y;
     const bool ahead = ray.along.x * way.x + ray.along.y * way.y > 0.0;
-    if (ahead) sum += maths::exp(-perVariance * aside * aside / away2);  // sine for angle
+    if (ahead) sum += maths::exp(-perVariance * lateral * lateral / away2);  // sine for angle
   }
   return sum;
 }

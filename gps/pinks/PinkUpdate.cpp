@@ -85,8 +85,8 @@ bool updateByPink(const PinkBearing& bearing, const PinkContext& context, PinkSt
 
 void updateByPatches(const PinkBearings& bearings, const PinkContext& context, PinkState& pinks,
                      PoseState& pose, GpsCounts& counts) {
-  const std::size_t most = std::min<std::size_t>(bearings.size(), context.pinks.maxPatches);
-  for (std::size_t i = 0; i < most; ++i) {
+  const std::size_t max = std::min<std::size_t>(bearings.size(), context.pinks.maxPatches);
+  for (std::size_t i = 0; i < max; ++i) {
     if (isAboveWall(bearings[i], context.pinks, pose.modes[0].pose)) {
       count(Refusal::pinkElevation, counts);
     } else if (updateByPink(bearings[i], context, pinks, pose.modes)) {

@@ -60,10 +60,10 @@ void addToSurvey(const FixedVector<LinePoint, 256>& points, const PinkBearings& 
   for (const PinkBearing& bearing : bearings) addBearing(bearing, params, survey);
 }
 
-SeenLines linesOf(const Survey& survey, std::size_t most) {
+SeenLines linesOf(const Survey& survey, std::size_t max) {
   SeenLines seen;
   const std::size_t count = survey.points.size();
-  const std::size_t wanted = std::min(count, most);
+  const std::size_t wanted = std::min(count, max);
   for (std::size_t i = 0; i < wanted; ++i) {
     const SurveyPoint& point = survey.points[i * count / wanted];
     seen.lines.push_back({point.place, point.weight});

@@ -20,8 +20,8 @@ void moveSurvey(const Odometry& odometry, double elapsed, Survey& survey);
 void addToSurvey(const FixedVector<LinePoint, 256>& points, const PinkBearings& bearings,
                  const PinkPoseSearchParams& params, Survey& survey);
 
-// The line points, thinned to at most `most` of them.
-SeenLines linesOf(const Survey& survey, std::size_t most);
+// The line points, thinned to at most `max` of them.
+SeenLines linesOf(const Survey& survey, std::size_t max);
 
 // The pose of the robot now, when its survey began at `start`.
 Pose2 poseNow(const Survey& survey, const Pose2& start);

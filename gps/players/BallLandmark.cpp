@@ -37,11 +37,13 @@ std::optional<Place> surerBall(const TeamMessage& message, const Place& own,
   // Who has no role is penalised, and may be carried: it is sure of where it no longer stands.
   if (!message.ball.present || message.note.role == Role::none) return std::nullopt;
   const Witness witness = witnessOf(message, context);
-  const Matrix2& told = witness.place.covariance;
-  if (witness.secondsSinceSeen > p.mateUnseen || told.trace() > p.surer * own.covariance.trace())
+  const Matrix2& reported = witness.place.covariance;
+  if (witness.secondsSinceSeen > p.mateUnseen ||
+      reported.trace() > p.surer * own.covariance.trace())
     return std::nullopt;
   const double late = p.lateSd * maths::hypot(witness.velocity.x, witness.velocity.y);
-  return Place{witness.place.mean, told + (p.noise + maths::square(late)) * Matrix2::Identity()};
+  return Place{witness.place.mean,
+               reported + (p.noise + maths::square(late)) * Matrix2::Identity()};
 }
 
 void correctAll(const BallSighting& seen, const Place& ball, double outlierWeight, Modes& modes) {

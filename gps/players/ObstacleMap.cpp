@@ -27,12 +27,12 @@ void set(Layer ObstacleMap::*layer, std::size_t cell, float count, ObstacleMap& 
   *at = number;
 }
 
-void enter(Point2<Field> p, double count, const body::FieldDescription& field, double most,
+void enter(Point2<Field> p, double count, const body::FieldDescription& field, double max,
            ObstacleMap& map) {
   const auto cell = cellAt(p, field);
   if (!cell) return;
   const double sum = static_cast<double>(map.own[*cell]) + count;
-  set(&ObstacleMap::own, *cell, static_cast<float>(std::min(most, sum)), map);
+  set(&ObstacleMap::own, *cell, static_cast<float>(std::min(max, sum)), map);
 }
 
 using Cells = ScratchVector<std::size_t, 64>;  // as many as there are points
@@ -56,10 +56,10 @@ void enterRobots(const ObstacleSightings& in, const body::FieldDescription& fiel
     if (!(robot.distance <= params.maxReach)) continue;
     const Point2<Robot> seen = robotPolar(robot.distance, robot.heading);
     const Point2<Field> p = fieldFromRobot(in.world.pose, seen);
-    for (const Point2<Field>& aside :
+    for (const Point2<Field>& lateral :
          {Point2<Field>{0, 0}, Point2<Field>{kBodyReach, 0}, Point2<Field>{-kBodyReach, 0},
           Point2<Field>{0, kBodyReach}, Point2<Field>{0, -kBodyReach}}) {
-      enter(p + aside, params.robotCount, field, params.maxCount, map);
+      enter(p + lateral, params.robotCount, field, params.maxCount, map);
     }
   }
 }
@@ -131,10 +131,10 @@ void see(const ObstacleSightings& in, const body::FieldDescription& field,
 
 void hear(const TeamMessage& message, const body::FieldDescription& field,
           const ObstacleMapParams& params, ObstacleMap& map) {
-  for (const SharedObstacle& told : message.obstacles) {
-    const auto cell = cellAt(told.position, field);
+  for (const SharedObstacle& reported : message.obstacles) {
+    const auto cell = cellAt(reported.position, field);
     if (!cell) continue;
-    const auto count = static_cast<float>(std::min(told.count, params.maxCount));
+    const auto count = static_cast<float>(std::min(reported.count, params.maxCount));
     set(&ObstacleMap::heard, *cell, std::max(map.heard[*cell], count), map);
   }
 }

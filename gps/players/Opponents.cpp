@@ -108,16 +108,16 @@ bool nearField(const Place& place, const PlayersContext& context) {
 int matchByAngle(const Place& seen, Angle heading, const Pose2& pose, const OpponentParams& p,
                  const Filters& filters) {
   int best = -1;
-  Angle least = p.angleGate;
+  Angle min = p.angleGate;
   for (std::size_t i = 0; i < filters.size(); ++i) {
     if (!filters[i].known || filters[i].assigned) continue;
     const Place place = placeOf(filters[i].belief);
     const Angle off = (bearing(robotFromField(pose, pointOf(place.mean))) - heading).abs();
     const bool far =
         p.matchGate > 0.0 && mahalanobisSquared(place, seen) > maths::square(p.matchGate);
-    if (far || off.rad() >= least.rad()) continue;
+    if (far || off.rad() >= min.rad()) continue;
     best = static_cast<int>(i);
-    least = off;
+    min = off;
   }
   return best;
 }
@@ -125,13 +125,13 @@ int matchByAngle(const Place& seen, Angle heading, const Pose2& pose, const Oppo
 // The filter nearest to what a mate saw, which has no angle here. -1: none within the gate.
 int matchByPlace(const Place& seen, double gate, const Filters& filters) {
   int best = -1;
-  double least = gate * gate;
+  double min = gate * gate;
   for (std::size_t i = 0; i < filters.size(); ++i) {
     if (!filters[i].known || filters[i].assigned) continue;
     const double squared = mahalanobisSquared(placeOf(filters[i].belief), seen);
-    if (squared >= least) continue;
+    if (squared >= min) continue;
     best = static_cast<int>(i);
-    least = squared;
+    min = squared;
   }
   return best;
 }

@@ -54,10 +54,10 @@ double covarianceDifference(const PoseMode& a, const PoseMode& b) {
 
 // Within a square (facts-2005 section 5.1). A circle in it leaves more modes beside each other: of
 // 2400 standing robots two more lost their place.
-bool near(const PoseMode& a, const PoseMode& b, double most) {
+bool near(const PoseMode& a, const PoseMode& b, double max) {
   const Point2<Field> d = a.pose.position - b.pose.position;
-  return std::fabs(d.x) <= most && std::fabs(d.y) <= most &&
-         (a.pose.heading - b.pose.heading).abs().deg() <= most;
+  return std::fabs(d.x) <= max && std::fabs(d.y) <= max &&
+         (a.pose.heading - b.pose.heading).abs().deg() <= max;
 }
 
 bool mergeable(const PoseMode& a, const PoseMode& b, const ModeParams& params) {

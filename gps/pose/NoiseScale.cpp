@@ -13,7 +13,7 @@ void noteInnovation(const PoseMode& mode, double squared, const NoiseScaleParams
   if (mode.covariance[0] + mode.covariance[4] > 2.0 * maths::square(params.maxSd)) return;
   const double size = std::fmin(std::sqrt(squared), params.farthest);
   const double change = maths::exp(params.rate * (size - params.usual));
-  scale = maths::clamp(scale * change, params.least, params.most);
+  scale = maths::clamp(scale * change, params.min, params.max);
 }
 
 }  // namespace kelpie::gps

@@ -18,8 +18,8 @@ struct NoiseScaleParams {
   // new in every frame; those of successive frames repeat, and are then larger than they look.
   double usual = 0.5;
   double rate = 0.003;  // by an innovation, of the scale's logarithm
-  double least = 0.25;
-  double most = 4.0;
+  double min = 0.25;
+  double max = 4.0;
   double maxSd = 20.0;    // cm, of the mode; a wider one expects any sighting
   double farthest = 3.0;  // an innovation counts as no larger; a false sighting's is
 
@@ -27,8 +27,8 @@ struct NoiseScaleParams {
   static constexpr auto fields() {
     using P = NoiseScaleParams;
     return fieldList(field("use", &P::use), field("usual", &P::usual, "", 0.01, 1),
-                     field("rate", &P::rate, "", 0, 0.1), field("least", &P::least, "", 0.01, 1),
-                     field("most", &P::most, "", 1, 100), field("maxSd", &P::maxSd, "cm", 0, 1000),
+                     field("rate", &P::rate, "", 0, 0.1), field("min", &P::min, "", 0.01, 1),
+                     field("max", &P::max, "", 1, 100), field("maxSd", &P::maxSd, "cm", 0, 1000),
                      field("farthest", &P::farthest, "", 1, 100));
   }
 };

@@ -52,15 +52,15 @@ struct PoseSearchPace {
   std::size_t kept = FoundPoses::kCapacity;
 };
 
-// Keeps the best pose of each place, `most` of them; `same(a, b)` tells whether two are one.
+// Keeps the best pose of each place, `max` of them; `same(a, b)` tells whether two are one.
 template <typename Same>
-void keepDistinct(const FoundPose& pose, std::size_t most, const Same& same, FoundPoses& found) {
-  if (found.size() >= most && pose.score <= found.back().score) return;
+void keepDistinct(const FoundPose& pose, std::size_t max, const Same& same, FoundPoses& found) {
+  if (found.size() >= max && pose.score <= found.back().score) return;
   for (const FoundPose& other : found)
     if (other.score >= pose.score && same(other.pose, pose.pose)) return;
   const auto worse = [&](const FoundPose& other) { return same(other.pose, pose.pose); };
   FoundPose* end = std::remove_if(found.begin(), found.end(), worse);
-  found.resize(std::min(static_cast<std::size_t>(end - found.begin()), most - 1));
+  found.resize(std::min(static_cast<std::size_t>(end - found.begin()), max - 1));
   std::size_t at = found.size();
   found.push_back(pose);
   for (; at > 0 && found[at - 1].score < pose.score; --at) found[at] = found[at - 1];

@@ -17,12 +17,12 @@ Angle directionOfStep(const Pose2& pose, const Odometry& odometry) {
 }
 
 // Told at all, and what one frame of walking or kicking can be wrong by.
-bool likely(const OdometryVariance& told) {
-  constexpr double kMostSquare = 100.0;  // cm2
-  constexpr double kMostTurn = 0.1;      // rad2
-  const auto within = [](double value, double most) { return value >= 0.0 && value <= most; };
-  return within(told.forward, kMostSquare) && within(told.left, kMostSquare) &&
-         within(told.turn, kMostTurn) && told.forward + told.left + told.turn > 0.0;
+bool likely(const OdometryVariance& reported) {
+  constexpr double kMaxSquare = 100.0;  // cm2
+  constexpr double kMaxTurn = 0.1;      // rad2
+  const auto within = [](double value, double max) { return value >= 0.0 && value <= max; };
+  return within(reported.forward, kMaxSquare) && within(reported.left, kMaxSquare) &&
+         within(reported.turn, kMaxTurn) && reported.forward + reported.left + reported.turn > 0.0;
 }
 
 }  // namespace
@@ -39,10 +39,11 @@ bool plausible(const Odometry& odometry) {
 }
 
 StepNoise stepNoise(const Odometry& odometry, double elapsed, const MotionNoise& noise) {
-  const OdometryVariance& told = odometry.variance;
-  if (likely(told)) {
+  const OdometryVariance& reported = odometry.variance;
+  if (likely(reported)) {
     const double pushes = noise.positionPerSecond * elapsed;
-    return {told.forward + pushes, told.left + pushes, told.turn + noise.turnPerSecond * elapsed};
+    return {reported.forward + pushes, reported.left + pushes,
+            reported.turn + noise.turnPerSecond * elapsed};
   }
   const double forward = std::fabs(odometry.forward);
   const double left = std::fabs(odometry.left);

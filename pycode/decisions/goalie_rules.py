@@ -29,7 +29,7 @@ def shot_comes(now, playing):
         return None
     shot = now.shots.shot
     return (NAMES[motion] + ' block: at {} cm/s it passes {} cm right in {} s', shot.speed,
-            shot.aside, shot.seconds)
+            shot.lateral, shot.seconds)
 
 
 def stands_over_ball(now, playing):
@@ -45,7 +45,7 @@ def ball_comes(now, playing):
     shot = coming(now.world, COMING_BESIDE, COMING_SHORT, COMING)
     if shot is None or shot.seconds > COMING_LATEST:
         return None
-    return 'a ball comes at {} cm/s, to {} cm right', shot.speed, shot.aside
+    return 'a ball comes at {} cm/s, to {} cm right', shot.speed, shot.lateral
 
 
 def mate_grabs(now, playing):
@@ -62,7 +62,8 @@ def can_clear(now, playing):
     if now.world.time_s - now.moved_s <= STANDS or now.clearance is None:
         return None
     best = now.clearance
-    return 'worth {}, to {} deg, {} deg off the own goal', best.worth, best.direction, best.off_goal
+    return ('worth {}, to {} deg, {} deg off the own goal',
+            best.utility, best.direction, best.off_goal)
 
 
 def can_attack(now, playing):

@@ -3,8 +3,8 @@
 # see it; nowhere else while it is looked for at first, all round if it was lost close by; then in
 # the middle, and at last so near to the line that no ball can lie behind the robot unseen. Keeps
 # nothing. By a wrong pose every place is wrong.
-from lib.goalie_places import LEAST_Y, central_place
-from lib.ways import point_of
+from lib.goalie_places import MIN_Y, central_place
+from lib.paths import point_of
 from safety.own_goal import round_ball
 
 UNSEEN = 1.6     # s; then it goes to the middle, unless it still looks close by,
@@ -16,11 +16,11 @@ def guard_place(now, eyes, rule):
     survey looks elsewhere: its time is none of looking for the ball. `rule`: from the field and a
     ball to a place."""
     world = now.world
-    if now.told is not None:
-        return place_for(world, rule, now.told)
+    if now.reported is not None:
+        return place_for(world, rule, now.reported)
     lost = now.lost_for if now.pose_settled else 0.0
     if lost > LOST:
-        return central_place(world.field, LEAST_Y)
+        return central_place(world.field, MIN_Y)
     if eyes.searches_near(world):
         return None
     if min(lost, world.time_s - eyes.surveyed_s) > UNSEEN:

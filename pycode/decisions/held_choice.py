@@ -43,13 +43,13 @@ class HeldChoice:
             return None
         gap = dribble.aim.gap or mouth(world)
         middle = wrap(0.5 * (gap[0] + gap[1])) if gap is not None else 0.0
-        own = max(kick_map_choice.worth_of(world, kick, gap, middle)
+        own = max(kick_map_choice.utility_of(world, kick, gap, middle)
                   for kick in kick_map_choice.AHEAD)
-        worth, kick, player = best
-        if worth < own + (0.0 if self.pass_to == player else passing.LEAST_GAIN):
+        utility, kick, player = best
+        if utility < own + (0.0 if self.pass_to == player else passing.MIN_GAIN):
             return None
         self.pass_to = player
-        return kick, 'pass to player {}: worth {}, own kick {}', player, worth, own
+        return kick, 'pass to player {}: worth {}, own kick {}', player, utility, own
 
     def alone(self, world, dribble, overdue):
         if world.task.kicks == kelpie.KICKS_BY_MAP:

@@ -8,7 +8,7 @@ import math
 import kelpie
 from decisions import positions, positions_passing
 from decisions.positions_regression import PLACE, RegressedPositions, attacker_angle, attacks
-from lib.ways import aside_of, attacker_of, point_of
+from lib.paths import attacker_of, bearing_of, point_of
 from situation import keep_off
 
 EVERY_FRAMES = 10     # of a regression: 14000 operations of the interpreter
@@ -54,10 +54,10 @@ class Home:
         return self.regressed.place(world.field, ball, attacker_angle(attacker, ball), bit,
                                     PLACE[role])
 
-    def aside(self, world, ball) -> float:
+    def lateral(self, world, ball) -> float:
         """deg to turn to look where who stands there looks: at the ball, but for examples."""
         if self.raw is not None and self.raw[2] is not None:
             there = math.radians(self.raw[2])
             here = point_of(world.pose)
-            return aside_of(world, (here[0] + math.cos(there), here[1] + math.sin(there)))
-        return aside_of(world, ball) if ball is not None else 0.0
+            return bearing_of(world, (here[0] + math.cos(there), here[1] + math.sin(there)))
+        return bearing_of(world, ball) if ball is not None else 0.0

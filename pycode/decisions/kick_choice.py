@@ -44,9 +44,9 @@ class Hold:
     def small_gap_in_corner(self) -> bool:
         if self.gap is None or abs(self.gap[0] - self.gap[1]) >= SMALL_GAP:
             return False
-        aside = min(self.x, self.field.width - self.x)
+        lateral = min(self.x, self.field.width - self.x)
         below = self.field.length - self.y
-        return (aside * aside + below * below) ** 0.5 < CORNER_AREA
+        return (lateral * lateral + below * below) ** 0.5 < CORNER_AREA
 
     def pass_across(self):
         """Towards the middle: who looks up-field from the left corner passes to the right."""

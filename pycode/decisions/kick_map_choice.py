@@ -22,7 +22,7 @@ NEARNESS = 0.6         # [0.3, 1] worth of a ball in the goal line's middle, if 
 FALL_OFF = 650.0       # cm away, about the field's diagonal
 OUT = 0.5              # [0.25, 1] share of that worth which a ball out of the field keeps
 OWN_END = 45.0         # cm from the own goal line: a ball that goes there is worth
-OWN_END_WORTH = -0.5   # so much, since it may be an own goal
+OWN_END_UTILITY = -0.5   # so much, since it may be an own goal
 LET_GO = 0.7           # [0.35, 1] share of its place's worth that a ball let go keeps
 FREED = 0.4            # [0.2, 0.8] share of the kicks that move the ball farther than 30 cm with
                        # somebody under the nose: 11 of 29 in two matches, of the others 59 of 76
@@ -40,24 +40,24 @@ def choose(world, dribble, overdue) -> tuple | None:
     if gap is None:
         return None
     middle = wrap(0.5 * (gap[0] + gap[1]))
-    worth, kick = best(world, gap, middle)
-    if worth <= 0.0:
+    utility, kick = best(world, gap, middle)
+    if utility <= 0.0:
         return None
-    aimed = max(worth_of(world, one, gap, middle) for one in AHEAD)
+    aimed = max(utility_of(world, one, gap, middle) for one in AHEAD)
     nearly = STILL_GOOD if dribble.standing else NEARLY
-    if worth < nearly * aimed or dribble.should_carry(world):
+    if utility < nearly * aimed or dribble.should_carry(world):
         return None
-    return kick, 'worth {}, {} aimed; gap of {} deg', worth, aimed, size(gap)
+    return kick, 'worth {}, {} aimed; gap of {} deg', utility, aimed, size(gap)
 
 
 def out_of_time(world, gap) -> tuple:
     """Of all kicks, wherever the goal is. The ball is let go where each would make it worse: who
     was held up in its turn looks at the own goal."""
-    worth, kick = max((worth_now(world, kick, gap), kick) for kick in kick_table.kicks(True))
-    let_go = worth_let_go(world)
-    if worth <= let_go:
-        return RELEASE, 'out of time; worth {}, let go {}', worth, let_go
-    return kick, 'out of time; worth {}, let go {}', worth, let_go
+    utility, kick = max((utility_now(world, kick, gap), kick) for kick in kick_table.kicks(True))
+    let_go = utility_let_go(world)
+    if utility <= let_go:
+        return RELEASE, 'out of time; worth {}, let go {}', utility, let_go
+    return kick, 'out of time; worth {}, let go {}', utility, let_go
 
 
 def best(world, gap, middle) -> tuple:
@@ -67,30 +67,30 @@ def best(world, gap, middle) -> tuple:
     for kick in kick_table.kicks(True):
         direction = kick_table.held_outcome(kick)[1]
         if abs(wrap(direction - middle)) < BESIDE:
-            worths.append((worth_now(world, kick, gap), kick))
+            worths.append((utility_now(world, kick, gap), kick))
     return max(worths)
 
 
-def worth_now(world, kick, gap):
+def utility_now(world, kick, gap):
     """Of a kick from the hold as the robot stands: one ahead leaves the ball lying more often than
     not while somebody is under the nose."""
-    worth = worth_of(world, kick, gap, 0.0)
+    utility = utility_of(world, kick, gap, 0.0)
     if kick not in AHEAD or not near(world.sensors.head_near_distance, DEFAULT):
-        return worth
-    return FREED * worth + (1.0 - FREED) * worth_let_go(world)
+        return utility
+    return FREED * utility + (1.0 - FREED) * utility_let_go(world)
 
 
-def worth_let_go(world):
+def utility_let_go(world):
     return LET_GO * nearness(world.field, *held_ball(world))
 
 
-def worth_of(world, kick, gap, turn) -> float:
+def utility_of(world, kick, gap, turn) -> float:
     """Of a kick from the hold, once the robot has turned by so many deg."""
-    return worth_of_way(world, held_ball(world), world.pose.heading_deg + turn,
+    return utility_of_way(world, held_ball(world), world.pose.heading_deg + turn,
                         kick_table.held_outcome(kick), gap)
 
 
-def worth_of_way(world, ball, way, outcome, gap=None) -> float:
+def utility_of_way(world, ball, way, outcome, gap=None) -> float:
     """The chance of a goal, and of what is no goal how near the ball comes to it, for a kick with
     that outcome by a robot that looks along `way` (deg on the field); `gap` in deg of the robot's
     frame of now."""
@@ -108,7 +108,7 @@ def worth_of_way(world, ball, way, outcome, gap=None) -> float:
 def nearness(field, x, y) -> float:
     """What a ball is worth that lies there."""
     if y < OWN_END:
-        return OWN_END_WORTH
+        return OWN_END_UTILITY
     inside = 0.0 < x < field.width and 0.0 < y < field.length
     left = math.hypot(x - 0.5 * field.width, min(y, field.length) - field.length)
     return NEARNESS * max(0.0, 1.0 - left / FALL_OFF) * (1.0 if inside else OUT)

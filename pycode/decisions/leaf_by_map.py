@@ -9,7 +9,7 @@ import math
 
 import kelpie
 from decisions import tree
-from decisions.kick_map_choice import AHEAD, worth_of_way
+from decisions.kick_map_choice import AHEAD, utility_of_way
 from lib import kick_table
 from lib.geom import wrap
 
@@ -45,8 +45,8 @@ class LeafByMap:
             return leaf, 'as the tree says'
         self.update(world, situation)
         grab = self.worths[GRAB] + (KEEP if played in tree.WITH_GRAB else 0.0)
-        free, kick = max((worth + (KEEP if way == played else 0.0), way)
-                         for way, worth in self.worths.items() if way != GRAB)
+        free, kick = max((utility + (KEEP if way == played else 0.0), way)
+                         for way, utility in self.worths.items() if way != GRAB)
         if free > grab:
             return kick, 'worth {} at once, {} with a grab', free, grab
         if leaf not in tree.WITH_GRAB:
@@ -61,26 +61,27 @@ class LeafByMap:
         due = WAYS if not self.worths else WAYS[self.next:self.next + 1]
         self.next = (self.next + 1) % len(WAYS)
         for name in due:
-            self.worths[name] = (grab_worth(world, situation, way) if name == GRAB
-                                 else free_worth(world, situation, name, way))
+            self.worths[name] = (grab_utility(world, situation, way) if name == GRAB
+                                 else free_utility(world, situation, name, way))
 
 
 def run_in(world, situation, leaf) -> bool:
     """Close before the open goal nothing is quicker than to run the ball in."""
-    aside = abs(situation.ball[0] - 0.5 * world.field.width)
+    lateral = abs(situation.ball[0] - 0.5 * world.field.width)
     return (leaf == tree.DRIBBLE and situation.line_distance < LINE and
-            aside < 0.5 * world.field.goal_width and abs(situation.facing) < 60.0)
+            lateral < 0.5 * world.field.goal_width and abs(situation.facing) < 60.0)
 
 
-def free_worth(world, situation, leaf, way) -> float:
+def free_utility(world, situation, leaf, way) -> float:
     outcome = kick_table.window_outcome(FREE[leaf])
-    return worth_of_way(world, situation.ball, way, outcome) - SECOND * FREE_S
+    return utility_of_way(world, situation.ball, way, outcome) - SECOND * FREE_S
 
 
-def grab_worth(world, situation, way) -> float:
+def grab_utility(world, situation, way) -> float:
     """The best kick from the hold, aimed at the goal's middle."""
     ball = situation.ball
     goal = math.degrees(math.atan2(world.field.length - ball[1],
                                    0.5 * world.field.width - ball[0]))
-    worth = max(worth_of_way(world, ball, goal, kick_table.held_outcome(kick)) for kick in AHEAD)
-    return worth - SECOND * (GRAB_S + TURN_S * abs(wrap(goal - way)))
+    utility = max(utility_of_way(world, ball, goal, kick_table.held_outcome(kick))
+                  for kick in AHEAD)
+    return utility - SECOND * (GRAB_S + TURN_S * abs(wrap(goal - way)))

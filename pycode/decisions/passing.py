@@ -9,7 +9,7 @@ from decisions.kick_map_choice import FALL_OFF, NEARNESS
 from decisions.roles import forwards
 from lib import kick_table
 from lib.geom import clamp, wrap
-from lib.ways import goal_of, point_of
+from lib.paths import goal_of, point_of
 from situation.keep_off import Lane
 
 REACH = 60.0         # cm from the mate to where the ball comes to rest: 2 s of walking
@@ -20,11 +20,11 @@ SEEN_S = 2.0         # s; of opponents
 SHOT_FROM = 230.0    # cm from which a ball reaches the goal (skills/ball/grab_dribble.py)
 SHOT = 0.5           # worth of a shot at the goal from the line
 LOST = 0.25          # share of a worth that is lost in taking the ball
-LEAST_GAIN = 0.08    # [0.04, 0.16] by which a pass must be worth more than the own kick, to be
+MIN_GAIN = 0.08    # [0.04, 0.16] by which a pass must be worth more than the own kick, to be
                      # begun
 
 
-def worth_at(world, place) -> float:
+def utility_at(world, place) -> float:
     """What a ball is worth at the feet of a mate that stands there."""
     goal = goal_of(world.field)
     away = math.hypot(goal[0] - place[0], goal[1] - place[1])
@@ -55,9 +55,9 @@ def best(world, ball) -> tuple | None:
             place = point_of(mate.pose)
             if not arrives(way, place) or not clear(world, ball, place):
                 continue
-            worth = chance * worth_at(world, place)
-            if found is None or worth > found[0]:
-                found = worth, kick, mate.player
+            utility = chance * utility_at(world, place)
+            if found is None or utility > found[0]:
+                found = utility, kick, mate.player
     return found
 
 

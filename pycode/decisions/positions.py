@@ -12,7 +12,7 @@ BEHIND_BALL = 80.0       # [40, 160] algorithms 4.7 and 4.8: yOffset
 LESS_BEHIND = 0.65       # of it, in the middle zone
 FRONT = 2.0 / 3.0        # of the length; the text has 0.6 (G19)
 SUPPORTER_SIDE = 70.0  # cm
-SUPPORTER_LEAST_Y = 120.0  # cm
+SUPPORTER_MIN_Y = 120.0  # cm
 DEFENDER_BEHIND = 120.0  # [60, 240] cm
 BEFORE_BOX = 20.0  # cm
 DEFENDER_REACH = 60.0    # [30, 120] cm from the middle, at most
@@ -38,7 +38,7 @@ def supporter(field, ball):
     """Algorithm 4.8: behind the attacker."""
     x, y = ball
     return (min(max(x, SUPPORTER_SIDE), field.width - SUPPORTER_SIDE),
-            max(y - BEHIND_BALL, SUPPORTER_LEAST_Y))
+            max(y - BEHIND_BALL, SUPPORTER_MIN_Y))
 
 
 def defender(field, ball):

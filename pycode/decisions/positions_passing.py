@@ -8,7 +8,7 @@ import math
 import kelpie
 from decisions.passing import MARKED, SEEN_S, clear
 from lib.geom import clamp
-from lib.ways import goal_of
+from lib.paths import goal_of
 from situation import opponents
 from situation.keep_off import inside
 
@@ -30,11 +30,11 @@ def moved(world, role, place, ball, before):
     choices = [inside(world.field, (place[0] + dx, place[1] + dy)) for dx, dy in STEPS]
     if before is not None and apart(before, place) < FARTHEST:
         choices.append(before)
-    return max(choices, key=lambda one: worth(world, one, place, ball) +
+    return max(choices, key=lambda one: utility(world, one, place, ball) +
                (STAYS if one == before else 0.0))
 
 
-def worth(world, one, place, ball) -> float:
+def utility(world, one, place, ball) -> float:
     total = -apart(one, place) - PER_CM * abs(apart(one, ball) - KICK)
     if not opponents.within(world, one, MARKED, SEEN_S):
         total += UNMARKED

@@ -8,7 +8,7 @@ import math
 
 import kelpie
 from decisions import positions
-from lib.ways import SILENT_S
+from lib.paths import SILENT_S
 from situation import time_to
 
 SEES_S = 0.5         # s; facts-2005 section 7.1: "lost" for a ball that vision sees no more

@@ -19,7 +19,7 @@ KICK_AHEAD = 'kick_ahead'   # ours, of the kick map alone: a free ball straight 
 
 SHOOTING = 170.0     # cm to the goal from which a held ball is shot at a gap
 ROUGHLY_UP = 30.0    # deg: "facing roughly the right direction", Alg 5.3
-MOST_REASON = 80     # characters of a trace's reason
+MAX_REASON = 80     # characters of a trace's reason
 
 
 class Node:
@@ -168,7 +168,7 @@ def _why(said, situation):
     """What was said on the way, (text, whose number it tells), the newest of it where not all fits,
     and its numbers."""
     reason = '; '.join([text for text, _ in said])
-    if len(reason) > MOST_REASON - 2:
+    if len(reason) > MAX_REASON - 2:
         said = _fitting(said)
         reason = '; '.join([text for text, _ in said])
     numbers = [getattr(situation, of) for text, of in said if '{}' in text]
@@ -178,7 +178,7 @@ def _why(said, situation):
 def _fitting(said) -> list:
     kept, size = [], 0
     for text, of in reversed(said):
-        if size + len(text) <= MOST_REASON - 2:
+        if size + len(text) <= MAX_REASON - 2:
             size += len(text) + 2
             kept.insert(0, (text, of))
     return kept

@@ -31,9 +31,9 @@ def secondary(field) -> list[Point]:
 
 
 def in_goal(field, place) -> bool:
-    aside = abs(place[0] - 0.5 * field.width)
+    lateral = abs(place[0] - 0.5 * field.width)
     off_end = min(abs(place[1]), abs(place[1] - field.length))
-    return aside < 0.5 * field.goal_width and off_end < field.border_width + SAME
+    return lateral < 0.5 * field.goal_width and off_end < field.border_width + SAME
 
 
 def distance(a, b) -> float:

@@ -13,7 +13,7 @@ UP_FIELD = 90.0       # deg
 DOWN_FIELD = -90.0    # deg
 BALL_RADIUS = 4.2     # cm
 STAND_Y = 20.0        # cm from the goal line, thesis 2006 section 4.3.1
-LEAST_Y = 10.0        # cm; nearer to the line the hind legs stand in the goal's back wall
+MIN_Y = 10.0        # cm; nearer to the line the hind legs stand in the goal's back wall
 CLIP_X = 35.0         # cm from the middle; facts-2005 section 7.2
 CLIP_HEADING = 60.0   # deg from up-field; facts-2005 section 7.2
 ELLIPSE_ACROSS = 45.0  # cm, half axes; checklist U18
@@ -57,15 +57,15 @@ def bisector(field, ball) -> Point:
 
 def facing(place, ball) -> Place:
     """A place with the heading towards the ball, but never far from up-field."""
-    aside = wrap(direction(place, ball) - UP_FIELD)
-    return place[0], place[1], UP_FIELD + clamp(aside, -CLIP_HEADING, CLIP_HEADING)
+    lateral = wrap(direction(place, ball) - UP_FIELD)
+    return place[0], place[1], UP_FIELD + clamp(lateral, -CLIP_HEADING, CLIP_HEADING)
 
 
 def bisector_place(field, ball) -> Place:
     """On the bisector at y = 20 cm (thesis 2006 section 4.3.1, checklist G15); with a ball nearer
     to the line than 40 cm, half as far from it as the ball. Never farther aside than the mouth."""
     ball_y = max(ball[1], 1.0)
-    y = clamp(0.5 * ball_y, LEAST_Y, STAND_Y)
+    y = clamp(0.5 * ball_y, MIN_Y, STAND_Y)
     dx, dy = bisector(field, (ball[0], ball_y))
     x = ball[0] + dx * (ball_y - y) / max(-dy, 1e-6) if ball_y > y else ball[0]
     x0 = middle(field)[0]
@@ -142,10 +142,10 @@ def off_own_goal(field, ball, direction_deg) -> float:
     """Degrees between a direction of the field and the nearest one that leads into the own goal;
     negative inside the cone."""
     low, high = own_goal_cone(field, ball)
-    aside = wrap(direction_deg - DOWN_FIELD)
-    if low <= aside <= high:
-        return max(low - aside, aside - high)
-    return min(abs(wrap(aside - low)), abs(wrap(aside - high)))
+    lateral = wrap(direction_deg - DOWN_FIELD)
+    if low <= lateral <= high:
+        return max(low - lateral, lateral - high)
+    return min(abs(wrap(lateral - low)), abs(wrap(lateral - high)))
 
 
 def to_field(heading_deg, forward, left) -> Point:

@@ -43,7 +43,7 @@ class KdTree:
 
     def within(self, query, radius) -> list:
         """All points no farther than the radius, the nearest first."""
-        found, most, left = [], radius * radius, [self.root if self.points else []]
+        found, maximum, left = [], radius * radius, [self.root if self.points else []]
         while left:
             node = left.pop()
             if isinstance(node, list):
@@ -54,7 +54,7 @@ class KdTree:
                 left.append(below)
             if query[axis] + radius >= value:
                 left.append(above)
-        return sorted(pair for pair in found if pair[0] <= most)
+        return sorted(pair for pair in found if pair[0] <= maximum)
 
 
 def squared(a, b) -> float:

@@ -13,7 +13,7 @@ from lib.geom import Point, clamp, polar, wrap
 
 Outcome = tuple[float, float, float, float, float]
 
-LEFT_OF = {kick: told.mirror for kick, told in kelpie.KICKS.items() if told.mirror < kick}
+LEFT_OF = {kick: its.mirror for kick, its in kelpie.KICKS.items() if its.mirror < kick}
 RIGHT_OF = {left: right for right, left in LEFT_OF.items()}
 NOTHING = (0.0, 0.0, 0.0, 0.0, 0.0)
 BALL_RADIUS = 4.2   # cm
@@ -32,9 +32,9 @@ def at_kick(x, y, forward, left, turn_deg) -> tuple:
     """Where a resting ball that is at (x, y) as the kick is asked for will be as its motion begins,
     and how far the robot will have turned by then (deg), walking on at those cm/s and deg/s."""
     turn = turn_deg * kick_map.UNTIL_KICK
-    aside, ahead = polar(1.0, 0.5 * turn)
+    lateral, ahead = polar(1.0, 0.5 * turn)
     forward, left = forward * kick_map.UNTIL_KICK, left * kick_map.UNTIL_KICK
-    x, y = x - forward * aside + left * ahead, y - forward * ahead - left * aside
+    x, y = x - forward * lateral + left * ahead, y - forward * ahead - left * lateral
     angle = math.radians(turn)
     return (x * math.cos(angle) + y * math.sin(angle),
             y * math.cos(angle) - x * math.sin(angle), turn)
@@ -208,8 +208,8 @@ def _mouth(pose, ball, field) -> Point:
     """The directions, low and high, between which a ball from there passes the posts."""
     ahead = max(field.length - ball[1], 1.0)
     half = 0.5 * field.goal_width - BALL_RADIUS
-    left, right = (math.degrees(math.atan2(ahead, 0.5 * field.width + aside - ball[0]))
-                   for aside in (-half, half))
+    left, right = (math.degrees(math.atan2(ahead, 0.5 * field.width + lateral - ball[0]))
+                   for lateral in (-half, half))
     low = wrap(right - pose.heading_deg)
     return low, low + left - right
 

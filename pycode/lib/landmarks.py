@@ -55,14 +55,14 @@ def choose_landmark(world, pan_limit=ATTACKER_PAN, turned_from=0.0):
     `turned_from` (deg), where the head is now."""
     axis, wider = widest_axis(world.covariance)
 
-    def worth(candidate):
+    def utility(candidate):
         mark, _, pan = candidate
-        aside = abs(pan - turned_from)
+        lateral = abs(pan - turned_from)
         if wider >= ROUND:
-            aside = off_axis(world.pose.heading_deg + pan, axis)
-        return mark.kind in GOALS, aside
+            lateral = off_axis(world.pose.heading_deg + pan, axis)
+        return mark.kind in GOALS, lateral
 
-    best = min(in_reach(world, pan_limit), key=worth, default=None)
+    best = min(in_reach(world, pan_limit), key=utility, default=None)
     return best[0] if best is not None else None
 
 

@@ -10,8 +10,8 @@ import math
 from lib.kd_tree import KdTree
 
 RADIUS = 2.4        # bandwidths; W(2.4) = 0.003 counts no more (section 4.5.3, threshold)
-LEAST = 4   # examples,
-MOST = 10  # examples that answer: each costs 400 operations of the interpreter
+MINIMUM = 4   # examples,
+MAXIMUM = 10  # examples that answer: each costs 400 operations of the interpreter
 # Share of the largest diagonal: a smaller pivot settles no slope, and slopes get a ridge. With 1e-9
 # places jumped by 290 cm for 5 cm of the ball, now by 8 in 99 % of 12320 steps.
 SINGULAR = 1e-2
@@ -36,12 +36,12 @@ class Regression:
         """(weight, inputs from the query, outputs) of all examples that count. Where they are few
         the kernel is stretched to the fourth."""
         near, stretch = self.tree.within(query, RADIUS), 1.0
-        if len(near) < LEAST:
-            near = self.tree.nearest(query, LEAST)
+        if len(near) < MINIMUM:
+            near = self.tree.nearest(query, MINIMUM)
             stretch = max(1.0, math.sqrt(near[-1][0]) / RADIUS)
         return [(kernel(math.sqrt(away) / stretch),
                  tuple([x - q for x, q in zip(self.tree.points[i], query)]), self.outputs[i])
-                for away, i in near[:MOST]]
+                for away, i in near[:MAXIMUM]]
 
     def mean(self, inputs) -> list:
         """Equation 4.3, the weighted mean."""
@@ -56,9 +56,9 @@ class Regression:
         size = len(inputs) + 1
         answer = constant(rows, size, SINGULAR)
         if answer is None:
-            most = max(rows[i][i] for i in range(size))
+            maximum = max(rows[i][i] for i in range(size))
             for i in range(size - 1):
-                rows[i][i] += RIDGE * most
+                rows[i][i] += RIDGE * maximum
             answer = constant(rows, size, 0.0)
         return answer
 
@@ -82,10 +82,10 @@ def constant(rows, size, singular):
     which leaves it alone in the last row; None when a pivot is no larger than that share of the
     largest diagonal."""
     rows = list(rows)
-    least = singular * max(rows[i][i] for i in range(size))
+    minimum = singular * max(rows[i][i] for i in range(size))
     for i in range(size):
         best = max(range(i, size), key=lambda j: abs(rows[j][i]))
-        if abs(rows[best][i]) <= least:
+        if abs(rows[best][i]) <= minimum:
             return None
         rows[i], rows[best] = rows[best], rows[i]
         for j in range(i + 1, size):

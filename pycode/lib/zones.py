@@ -39,8 +39,8 @@ def corner(field, ball: Point) -> int:
 
 
 def close_to_goal(field, ball: Point) -> bool:
-    aside = abs(ball[0] - 0.5 * field.width)
-    return field.length - ball[1] < GOAL_CLOSE and aside < 0.5 * field.goal_width + EDGE
+    lateral = abs(ball[0] - 0.5 * field.width)
+    return field.length - ball[1] < GOAL_CLOSE and lateral < 0.5 * field.goal_width + EDGE
 
 
 def sub_zone(field, ball: Point) -> int:

@@ -8,8 +8,8 @@
 import kelpie
 from arbiter.rules import RuleMachine
 from lib.goalie_places import beyond_box, central_place, ellipse_place
+from lib.paths import point_of
 from lib.steer import filtered
-from lib.ways import point_of
 from players.halted import Halted
 from safety.rear_wall import off_wall
 from situation import kick_stand
@@ -44,7 +44,7 @@ def attack_failed(world) -> tuple | None:
     percept = world.percepts.ball
     if away > LEAVE:
         return 'the ball is {} cm beyond the box', away
-    if percept.present and abs(percept.heading_deg) > Paw.ASIDE:
+    if percept.present and abs(percept.heading_deg) > Paw.LATERAL:
         return 'the ball is seen {} deg aside', percept.heading_deg
     if not seen(world, UNSEEN_NEAR):
         return 'the ball is unseen for {} s', world.ball.seconds_since_seen

@@ -11,7 +11,7 @@ from lib.goalie_places import beside, bisector_place, facing
 from lib.steer import filtered
 from players.halted import Halted
 from safety.own_box import straight_back
-from safety.own_goal import faces_told_ball, hold_position, no_own_goal
+from safety.own_goal import faces_reported_ball, hold_position, no_own_goal
 from situation.goalie import GoalieSituation
 from situation.memory import Memory
 from situation.opponents import at_ball
@@ -44,7 +44,7 @@ class Goalie(RuleMachine):
         (rules.can_attack, 'attack'),
         (rules.guards, 'guard'))
     COMMITTED = ('block', 'clear', 'step_back')
-    GUARDED = (hold_position, faces_told_ball, no_own_goal)   # what is left of a guard's walk
+    GUARDED = (hold_position, faces_reported_ball, no_own_goal)   # what is left of a guard's walk
     STEPPED = (straight_back,)                                # and of a step back
 
     def __init__(self, rule=bisector_place):
@@ -107,9 +107,9 @@ class Goalie(RuleMachine):
     def explain(self, trace) -> None:
         super().explain(trace)
         self.halted.explain(trace)
-        if self.now.told is not None and self.state == self.guard:
+        if self.now.reported is not None and self.state == self.guard:
             trace.append((kelpie.LAYER_SKILL, 'team_ball', 'told', 'mates see the ball at ({}, {})',
-                          *self.now.told))
+                          *self.now.reported))
         if self.now.pose.doubtful:
             trace.append((kelpie.LAYER_SKILL, 'pose_watch', 'carried', 'the pose has jumped'))
         self.eyes.explain(trace)
@@ -122,7 +122,7 @@ class Goalie(RuleMachine):
     def block(self, world):
         command = self.perform(world)
         if command is None:
-            self.eyes.look_near(world, 1.0 if self.shot.aside < 0.0 else -1.0)
+            self.eyes.look_near(world, 1.0 if self.shot.lateral < 0.0 else -1.0)
         return command
 
     def clear(self, world):
@@ -149,7 +149,7 @@ class Goalie(RuleMachine):
     def adjust(self, world) -> kelpie.Command:
         """Into the way of the ball where it crosses the own line: a step aside, seldom more."""
         shot = coming(world, rules.COMING_BESIDE, rules.COMING_SHORT, 0.0)
-        place = beside(world.pose, shot.aside if shot is not None else 0.0)
+        place = beside(world.pose, shot.lateral if shot is not None else 0.0)
         return self.acting(world, walk=self.skill.step(world, facing(place, self.now.ball)))
 
     def attack(self, world):

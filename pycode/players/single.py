@@ -42,7 +42,7 @@ SKILLS = {
     'find_ball': FindBall,
     'grab_dribble': grab_dribble,
     'line_up_kick': line_up_kick,
-    **{told.leaf: free_kick(kick) for kick, told in kelpie.KICKS.items() if told.leaf},
+    **{reported.leaf: free_kick(kick) for kick, reported in kelpie.KICKS.items() if reported.leaf},
 }
 
 

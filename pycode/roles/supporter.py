@@ -10,8 +10,8 @@ from arbiter.rules import RuleMachine
 from decisions.home import Home
 from decisions.roles import NAMES
 from lib.geom import from_field
+from lib.paths import bearing_of
 from lib.steer import facing, filtered
-from lib.ways import aside_of
 from safety.own_box import outside_box
 from situation import keep_off, time_to
 from situation.time_to import heard_of
@@ -37,9 +37,9 @@ class SupporterSituation:
 
     def __init__(self, world, memory):
         self.world, self.memory = world, memory
-        told = heard_of(world)
-        self.told = told is not None    # the team has the ball that this robot has lost
-        self.ball = told if self.told else time_to.ball_of(world, memory.ball_lost)
+        reported = heard_of(world)
+        self.reported = reported is not None    # the team has the ball that this robot has lost
+        self.ball = reported if self.reported else time_to.ball_of(world, memory.ball_lost)
         self.lanes = keep_off.lanes(world, self.ball)
         self.home, self.away = None, 0.0   # the place, and how far it is
         self.paw_pushes = False
@@ -83,8 +83,8 @@ def home_is_far(now, playing):
 
 def ball_is_lost(now, playing):
     lost = now.memory.ball_lost
-    return ('ball unseen for {} frames', float(lost)) if lost > LOST_FRAMES and not now.told else (
-        None)
+    unknown = lost > LOST_FRAMES and not now.reported
+    return ('ball unseen for {} frames', float(lost)) if unknown else None
 
 
 def goes_home(now, playing):
@@ -154,7 +154,7 @@ class Supporter(RuleMachine):
         return self.stuck.step(world)
 
     def receive(self, world) -> kelpie.Command:
-        return self.walking(world, facing((0.0, 0.0), aside_of(world, self.now.ball)))
+        return self.walking(world, facing((0.0, 0.0), bearing_of(world, self.now.ball)))
 
     def get_out_of_way(self, world) -> kelpie.Command:
         return self.walking(world, self.out_of_way.step(
@@ -180,11 +180,11 @@ class Supporter(RuleMachine):
     def go_home(self, world) -> kelpie.Command:
         """The last steps in any direction with the ball in view; then stands and faces it."""
         self.moving = self.now.away > (ARRIVED if self.moving else LEFT)
-        aside = self.home_of.aside(world, self.now.ball)
+        lateral = self.home_of.lateral(world, self.now.ball)
         if self.moving:
-            return self.walking(world, facing(from_field(world.pose, *self.now.home), aside))
-        self.turning = abs(aside) > (TURN_UNTIL if self.turning else TURN_FROM)
-        return self.walking(world, facing((0.0, 0.0), aside if self.turning else 0.0))
+            return self.walking(world, facing(from_field(world.pose, *self.now.home), lateral))
+        self.turning = abs(lateral) > (TURN_UNTIL if self.turning else TURN_FROM)
+        return self.walking(world, facing((0.0, 0.0), lateral if self.turning else 0.0))
 
     def walking(self, world, walk) -> kelpie.Command:
         return kelpie.Command(walk=walk, head=self.watch.step(world, self.now.ball))

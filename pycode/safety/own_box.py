@@ -6,7 +6,7 @@ import math
 import kelpie
 from lib.geom import clamp
 from lib.goalie_places import MARGIN, box, to_field, to_robot
-from lib.ways import point_of
+from lib.paths import point_of
 
 SPEED = 34.0         # cm/s; the walk does 36 to 38 (docs/physical-body.md)
 SECONDS = 0.35       # to an edge of the box at least: the legs follow late

@@ -6,8 +6,7 @@ import math
 
 import kelpie
 from lib.geom import clamp, from_field
-from lib.goalie_places import (BALL_RADIUS, LEAST_Y, TRUNK, Place, box, middle, off_own_goal,
-                               past_ball)
+from lib.goalie_places import BALL_RADIUS, MIN_Y, TRUNK, Place, box, middle, off_own_goal, past_ball
 from safety.own_box import MARGIN
 
 BODY_SIDE = 7.5      # cm from the neck base, by which the body pushes a ball,
@@ -17,7 +16,7 @@ CLOSING = 2.0        # cm/s towards it
 PUSHED_OFF = 10.0    # deg off the own goal, at least
 LOST = 6.0           # s; a ball unseen for longer may lie anywhere
 ROUND_BY = 24.0      # cm from the ball to the side by which it is gone round,
-ROUND_LEAST = 14.0   # cm where the box ends,
+ROUND_MIN = 14.0   # cm where the box ends,
 ROUND_DONE = 5.0     # cm up to which from the place's distance to the line
 ANY = 180.0          # deg
 
@@ -39,26 +38,26 @@ def would_own_goal(field, pose, walk, ball) -> bool:
     return off_own_goal(field, ball, pushed) < PUSHED_OFF
 
 
-def up_field(now, turn_deg, most) -> float:
+def up_field(now, turn_deg, maximum) -> float:
     """A turn, or 0 if it leads off up-field by more than so many degrees. Deeper than it stands by
     itself the goalie sweeps a ball before its chest into the goal with any such turn."""
     side = math.copysign(1.0, turn_deg)
-    deep = now.world.pose.position.y < LEAST_Y
-    return 0.0 if -side * now.facing.aside >= (0.0 if deep else most) else turn_deg
+    deep = now.world.pose.position.y < MIN_Y
+    return 0.0 if -side * now.facing.lateral >= (0.0 if deep else maximum) else turn_deg
 
 
-def faces_told_ball(now, walk) -> kelpie.WalkRequest:
+def faces_reported_ball(now, walk) -> kelpie.WalkRequest:
     """The filter beside a ball that only mates see: no turn off up-field."""
-    if now.told is not None:
+    if now.reported is not None:
         walk.turn_deg = up_field(now, walk.turn_deg, ANY)
     return walk
 
 
 def no_own_goal(now, walk) -> kelpie.WalkRequest:
     """The filter: the walk, or its translation or its turn alone, if that takes no ball in."""
-    if now.told is None and not now.sees(LOST):
+    if now.reported is None and not now.sees(LOST):
         return walk
-    ball = now.told or now.ball
+    ball = now.reported or now.ball
     for one in (walk, kelpie.WalkRequest(forward=walk.forward, left=walk.left),
                 kelpie.WalkRequest(turn_deg=walk.turn_deg)):
         if not would_own_goal(now.world.field, now.world.pose, one, ball):
@@ -80,7 +79,7 @@ def round_ball(field, start, place, ball) -> Place:
     if (abs(ball[0] - middle(field)[0]) > 0.5 * field.goal_width or start[1] - y < ROUND_DONE or
             not past_ball(start, (x, y - TRUNK), ball)):
         return place
-    if abs(start[0] - ball[0]) >= ROUND_LEAST:
+    if abs(start[0] - ball[0]) >= ROUND_MIN:
         return start[0], y, heading
-    aside = ROUND_BY if start[0] >= ball[0] else -ROUND_BY
-    return clamp(ball[0] + aside, left, right), start[1], heading
+    lateral = ROUND_BY if start[0] >= ball[0] else -ROUND_BY
+    return clamp(ball[0] + lateral, left, right), start[1], heading

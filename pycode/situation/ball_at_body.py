@@ -24,11 +24,11 @@ NOTHING = 60.0       # cm and so far when there is nothing at all
 class Region:
     """A rectangle of the robot frame, in cm: `aside` to either side, from `behind` to `ahead`."""
 
-    def __init__(self, aside, behind, ahead):
-        self.aside, self.behind, self.ahead = aside, behind, ahead
+    def __init__(self, lateral, behind, ahead):
+        self.lateral, self.behind, self.ahead = lateral, behind, ahead
 
     def holds(self, x, y) -> bool:
-        return abs(x) < self.aside and self.behind < y < self.ahead
+        return abs(x) < self.lateral and self.behind < y < self.ahead
 
 
 PAWS = Region(6.0, 0.0, 13.0)        # between the paws; by the rules 4 aside and 11 ahead
@@ -48,21 +48,21 @@ class BallBetweenPaws:
         self.moved_s = -math.inf   # when a motion ran last
         self.for_s = 0.0           # s for which it has been there
 
-    def update(self, world, told) -> None:
+    def update(self, world, reported) -> None:
         """One frame; `told`: where mates see a ball that the robot has lost, (x, y) on the field,
         or None."""
         if world.motion.running != kelpie.NO_MOTION:
             self.moved_s = world.time_s
             return self.end()
-        self.lies.update(world.time_s, self.there(world, told))
+        self.lies.update(world.time_s, self.there(world, reported))
         lies = world.time_s - self.lies.last_s < GAP
         self.for_s = world.time_s - self.lies.from_s if lies else 0.0
 
-    def there(self, world, told) -> bool:
+    def there(self, world, reported) -> bool:
         chest = world.sensors.chest_distance
         if chest < CHEST_NEAR or CHEST_FAR < chest < NOTHING:
             return True
-        if told is not None and PAWS.holds(*from_field(world.pose, *told)):
+        if reported is not None and PAWS.holds(*from_field(world.pose, *reported)):
             return True
         ball = world.ball
         recent = min(SEEN, world.time_s - self.moved_s)

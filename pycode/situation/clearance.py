@@ -20,9 +20,9 @@ BESIDE = 2.0         # cm about a kick's window,
 FARTHEST = 16.0      # and cm ahead at most
 LATENCY = 0.05, 0.2  # s from asking to the motion's beginning, at least and at most
 STRIKE = 0.2         # s from there to the strike: a kick's last key frame ends after 0.18 to 0.24
-WORTH = 0.45         # [0.225, 0.9] of a kick that is done as the ball lies
+UTILITY = 0.45         # [0.225, 0.9] of a kick that is done as the ball lies
 FAR = 180.0          # [90, 360] cm that are as good as farther
-ASIDE = 0.35         # [0.175, 0.7] worth lost by a kick across the field
+LATERAL = 0.35         # [0.175, 0.7] worth lost by a kick across the field
 ACROSS = 0.85        # [0.425, 1] share left of one that goes past the goal's middle
 OPPONENT = 70.0      # cm to an opponent that stands in the way,
 OPPONENT_DEG = 25.0  # deg off it
@@ -37,19 +37,19 @@ class Clearance:
 
     def __init__(self, world, kick, ball, outcome, heading_deg):
         self.kick, self.ball = kick, ball
-        chance, aside, sd, distance, _ = outcome
-        self.direction = wrap(heading_deg + aside)
+        chance, lateral, sd, distance, _ = outcome
+        self.direction = wrap(heading_deg + lateral)
         self.off_goal = off_own_goal(world.field, ball, self.direction)
         held = heading_deg + HELD_DEG * side_of(kick)
         self.safe = (self.off_goal > max(OFF_GOAL, SDS * sd) and
                      (side_of(kick) == 0.0 or off_own_goal(world.field, ball, held) > 0.0))
         up = math.cos(math.radians(self.direction - UP_FIELD))
-        self.worth = chance * min(1.0, distance / FAR) * (1.0 - ASIDE * (1.0 - up))
+        self.utility = chance * min(1.0, distance / FAR) * (1.0 - LATERAL * (1.0 - up))
         outwards = (ball[0] - 0.5 * world.field.width) * math.cos(math.radians(self.direction))
         if outwards < 0.0:
-            self.worth *= ACROSS
+            self.utility *= ACROSS
         if any(in_the_way(ball, self.direction, other.position) for other in world.opponents):
-            self.worth *= HELD
+            self.utility *= HELD
 
     def after(self, way):
         """The point of the field that the ball passes after so many cm."""
@@ -116,7 +116,7 @@ def clearance(world, kick, strikes_at) -> Clearance | None:
         one = Clearance(world, kick, ball, outcome, world.pose.heading_deg)
         if not one.safe:
             return None
-        if worst is None or one.worth < worst.worth:
+        if worst is None or one.utility < worst.utility:
             worst = one
     return worst
 
@@ -128,5 +128,5 @@ def clearing_kick(world) -> Clearance | None:
         return None
     strikes_at = strikes(world)
     found = [clearance(world, kick, strikes_at) for kick in kick_table.kicks(False)]
-    good = [one for one in found if one is not None and one.worth > WORTH]
-    return max(good, key=lambda one: one.worth, default=None)
+    good = [one for one in found if one is not None and one.utility > UTILITY]
+    return max(good, key=lambda one: one.utility, default=None)

@@ -69,5 +69,5 @@ def sure(world) -> bool:
 
 def before_mouth(world) -> bool:
     """Whether a ball going straight up-field would go into the goal."""
-    aside = abs(world.ball.position.x - 0.5 * world.field.width)
-    return sure(world) and aside < 0.5 * world.field.goal_width - BALL_RADIUS
+    lateral = abs(world.ball.position.x - 0.5 * world.field.width)
+    return sure(world) and lateral < 0.5 * world.field.goal_width - BALL_RADIUS

@@ -7,7 +7,7 @@ import math
 
 from arbiter.lasting import Lasting
 from lib.geom import from_field
-from lib.ways import point_of
+from lib.paths import point_of
 from situation import kick_stand, opponents
 from situation.ball_at_body import BODY, BallBetweenPaws
 from situation.clearance import clearing_kick
@@ -19,7 +19,7 @@ from situation.time_to import heard_of
 SEEN = 0.4           # s; a ball unseen for longer is not acted on
 HAS_STILL = 0.4      # s for which an opponent has the ball, or presses, on; in all
 HAS_LONGEST = 4.0    # s; the rules let it hold the ball for 3
-TOLD_SD = 5.0        # cm; of vaguer balls of the team one in ten is more than 25 cm off
+REPORTED_SD = 5.0        # cm; of vaguer balls of the team one in ten is more than 25 cm off
 
 
 def seen(world, seconds=SEEN) -> bool:
@@ -41,7 +41,7 @@ class GoalieSituation:
         self.moved_s = 0.0           # when the last motion ended, or the last fall
         self.kicked = False          # that motion was a kick
         self.pose_lost = False       # landmarks come before what depends on the pose
-        self.told = None             # (x, y) of the field: where mates see a ball that it has lost
+        self.reported = None         # (x, y) of the field: where mates see a ball that it has lost
         self.opponent_has_ball = self.pressed = False
         self.rest_s = 0.0            # no attack before, after one that came to nothing
         self.stands = None           # kick_stand.Choice
@@ -57,8 +57,8 @@ class GoalieSituation:
         self.world = world = self.pose.believed(world)
         self.shots.update(world)
         self.facing.update(world)
-        self.told = self.heard()
-        self.paws.update(world, self.told)
+        self.reported = self.heard()
+        self.paws.update(world, self.reported)
         self.opponent_has_ball = self.has.update(world.time_s, opponents.has_ball(world))
         pressed = self.is_pressed()
         self.pressed = self.presses.update(world.time_s, pressed) and pressed
@@ -68,7 +68,7 @@ class GoalieSituation:
     def motion_ended(self, kicked) -> None:
         self.moved_s, self.kicked = self.world.time_s, kicked
         self.leave_to_them()
-        self.told = None     # whoever saw the ball saw it before
+        self.reported = None     # whoever saw the ball saw it before
 
     def fell(self) -> None:
         self.moved_s = self.world.time_s
@@ -91,7 +91,7 @@ class GoalieSituation:
         """Play is halted, or it gets up: what was counted of the ball is over."""
         self.facing.end_turn()
         self.paws.end()
-        self.told = None
+        self.reported = None
 
     # What follows from the frame
 
@@ -139,19 +139,19 @@ class GoalieSituation:
         """Where mates see a ball that the goalie has lost, if they saw it after its last motion; or
         None. It sees none beside its body or behind. Of balls within 60 cm, unseen for 0.4 s, the
         team's was sure to 5 cm in 65 %, and then off by 4 cm (median), its own belief by 17."""
-        world, told = self.world, heard_of(self.world)
+        world, reported = self.world, heard_of(self.world)
         team = world.team_ball
-        if (told is None or world.time_s - self.moved_s <= team.seconds_since_seen or
+        if (reported is None or world.time_s - self.moved_s <= team.seconds_since_seen or
                 not self.pose_settled):
             return None
         variance = 0.5 * (team.covariance[0] + team.covariance[3])
-        return told if math.sqrt(variance) < TOLD_SD else None
+        return reported if math.sqrt(variance) < REPORTED_SD else None
 
     def is_pressed(self) -> bool:
         """Whether an opponent is at a ball at the body: past who stands there it hardly gets, past
         who walks or turns it slips."""
-        if self.told is None and not self.world.ball.present:
+        if self.reported is None and not self.world.ball.present:
             return False
-        place = self.told or self.ball
+        place = self.reported or self.ball
         return (BODY.holds(*from_field(self.world.pose, *place)) and
                 opponents.at_ball(self.world, place))

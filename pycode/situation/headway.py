@@ -11,7 +11,7 @@ NEAR = 18.0           # cm; nearer, the robot may be meant to stop
 AWAY = 15.0           # cm; a ball that much farther off rolls away, and all begins anew
 WALKS_AHEAD = 8.0     # cm/s that are asked for
 NEARER = 4.0          # cm; the distance is wrong by 2 % (docs/physical-body.md)
-MOST_FRAMES = 45      # a walk that is free goes 50 cm in them
+MAX_FRAMES = 45      # a walk that is free goes 50 cm in them
 
 
 class Headway:
@@ -34,4 +34,4 @@ class Headway:
     @property
     def none(self) -> bool:
         """Whether the ball has not come nearer for too long."""
-        return self.frames > MOST_FRAMES
+        return self.frames > MAX_FRAMES

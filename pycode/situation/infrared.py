@@ -6,7 +6,7 @@
 
 SHARE = 0.8        # of the mean over bare carpet
 DEFAULT = 20.0     # cm, the threshold of the final of 2006 (carpet read as 25 cm)
-LEAST_READINGS = 15  # readings
+MIN_READINGS = 15  # readings
 
 
 def near(distance, threshold) -> bool:
@@ -26,7 +26,7 @@ class GroundCalibration:
         self.sum += distance
 
     def threshold(self) -> float:
-        if self.readings < LEAST_READINGS:
+        if self.readings < MIN_READINGS:
             return DEFAULT
         return SHARE * self.sum / self.readings
 

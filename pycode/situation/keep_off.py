@@ -6,7 +6,7 @@ import math
 
 import kelpie
 from lib.geom import clamp
-from lib.ways import attacker_of, goal_of, point_of
+from lib.paths import attacker_of, goal_of, point_of
 
 CLEARANCE = 44.0     # cm: 40 (U03) and what it still walks when it turns away
 HOLDER_LINE = 60.0   # cm off the line of one that holds the ball, and

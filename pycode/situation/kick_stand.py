@@ -9,14 +9,14 @@ import math
 from lib import kick_table
 from lib.geom import wrap
 from lib.goalie_places import MARGIN, UP_FIELD, beyond_box, direction, middle, past_ball
-from lib.ways import point_of
+from lib.paths import point_of
 from situation.clearance import Clearance
 
 TURNS = (0.0, -20.0, 20.0, -45.0, 45.0, -70.0, 70.0)  # deg from the way to the ball
 PACE = 26.0         # cm/s: what a place costs in time,
 PACE_TURN = 120.0   # deg/s
 ASTERN = 1.5        # [0.75, 3] s for a place beyond the ball: the way leads round it
-WORTH = 1.2         # [0.6, 2.4] s that a clearance of worth 1 may take longer than one of worth 0
+UTILITY = 1.2         # [0.6, 2.4] s that a clearance of worth 1 may take longer than one of worth 0
 CHOSEN = 0.3        # [0.15, 0.6] s that the place of before may take longer
 AGAIN = 0.5         # s after which the place is chosen anew,
 MOVED = 6.0         # or cm that the ball has rolled
@@ -91,7 +91,7 @@ def cost(world, ball, stand, chosen) -> float:
     x, y = world.pose.position.x, world.pose.position.y
     away = math.hypot(stand.x - x, stand.y - y)
     turn = abs(wrap(stand.heading - world.pose.heading_deg))
-    seconds = max(away / PACE, turn / PACE_TURN) - WORTH * clearance.worth
+    seconds = max(away / PACE, turn / PACE_TURN) - UTILITY * clearance.utility
     if past_ball((x, y), (stand.x, stand.y), ball):
         seconds += ASTERN
     same = chosen is not None and chosen.kick == stand.kick and chosen.direction == stand.direction

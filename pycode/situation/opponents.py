@@ -6,7 +6,7 @@
 import math
 
 import kelpie
-from lib.ways import point_of
+from lib.paths import point_of
 from situation.obstacles import OWN_BODY
 
 AT_BALL = 30.0       # cm from the ball to an opponent's neck. Of 38 kicks with one in 25 half left
@@ -18,7 +18,7 @@ SEEN_S = 1.0         # s since it was seen
 AT_HAND = 50.0       # cm to an opponent: the ball is between the two
 BALL_SEEN_S = 0.2    # s; feet are looked for at a ball of this image only
 FEET = 24.0          # cm from the ball to feet in the image,
-FEET_LEAST = 2       # points of them at least: there in 60 % of 252 frames with an opponent within
+FEET_MIN = 2       # points of them at least: there in 60 % of 252 frames with an opponent within
                      # 25 cm, in none of 228 with all beyond 33 cm
 FEET_MATE = 45.0     # cm from the ball to a mate that they may be of
 MATE = 30.0          # cm from the ball to a mate's neck that grabs it: both own goals of 20 matches
@@ -58,7 +58,7 @@ def feet_at_ball(world) -> bool:
                math.hypot(foot.position.x - ball.relative.x,
                           foot.position.y - ball.relative.y) < FEET
                for foot in world.percepts.obstacles)
-    return feet >= FEET_LEAST and not any(
+    return feet >= FEET_MIN and not any(
         ball_is_near(world, mate.pose.position, FEET_MATE) for mate in world.teammates)
 
 

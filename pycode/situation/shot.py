@@ -48,16 +48,16 @@ class Shot:
     goalie's own x axis) and `seconds` until then, `mouth_x` where it crosses the goal line,
     `speed` (cm/s). None of it if coming() says no."""
 
-    def __init__(self, aside, seconds, mouth_x, speed):
-        self.aside, self.seconds, self.mouth_x, self.speed = aside, seconds, mouth_x, speed
+    def __init__(self, lateral, seconds, mouth_x, speed):
+        self.lateral, self.seconds, self.mouth_x, self.speed = lateral, seconds, mouth_x, speed
 
 
-def coming(world, beside, short, least_speed) -> Shot | None:
+def coming(world, beside, short, min_speed) -> Shot | None:
     """The ball as a shot if it is at least that fast, will cross the goal line no farther than
     `beside` (cm) from the mouth and would stop at most `short` (cm) before the line."""
     ball, field = world.ball, world.field
     fast = speed(ball)
-    if not ball.present or fast < least_speed or ball.stopping_point.y > short:
+    if not ball.present or fast < min_speed or ball.stopping_point.y > short:
         return None
     at_goal = crossing((ball.position.x, ball.position.y), (ball.velocity.x, ball.velocity.y), 0.0)
     if at_goal is None:

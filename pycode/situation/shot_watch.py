@@ -34,13 +34,13 @@ NAMES = {kelpie.BLOCK: 'wide', kelpie.BLOCK_LEFT: 'left', kelpie.BLOCK_RIGHT: 'r
 def block_for(shot: Shot) -> int:
     """The block that meets a shot in time, or NO_MOTION: wide for one that comes straight, else to
     the side on which it would pass."""
-    if not SOONEST <= shot.seconds <= LATEST or abs(shot.aside) > REACH:
+    if not SOONEST <= shot.seconds <= LATEST or abs(shot.lateral) > REACH:
         return kelpie.NO_MOTION
-    if shot.speed < STAND_SPEED and abs(shot.aside) < stepped(shot.seconds):
+    if shot.speed < STAND_SPEED and abs(shot.lateral) < stepped(shot.seconds):
         return kelpie.NO_MOTION
-    if abs(shot.aside) <= CENTRE:
+    if abs(shot.lateral) <= CENTRE:
         return kelpie.BLOCK
-    return kelpie.BLOCK_LEFT if shot.aside < 0.0 else kelpie.BLOCK_RIGHT
+    return kelpie.BLOCK_LEFT if shot.lateral < 0.0 else kelpie.BLOCK_RIGHT
 
 
 def stepped(seconds) -> float:

@@ -19,7 +19,7 @@ OBSTACLE_S = 0.01        # s for each
 STUCK_S = 2.0            # ours: backing off takes 0.8 s, coming back as long
 SURE_FRAMES = 15         # frames lost from which a ball is less sure (facts-2005 section 7.1),
 LOST_S = 0.002           # s for the square of each more,
-LOST_MOST_S = 6.0        # up to so much, after 2.3 s
+LOST_MAX_S = 6.0        # up to so much, after 2.3 s
 ATTACKER_S = 0.7         # bonuses of U04
 GRAB_S = 2.0  # s
 NEVER_S = 1000.0         # of who knows no ball (robot/core/types/TeamNote.h)
@@ -30,18 +30,18 @@ OFF = 15.0               # cm beyond the lines; a ball farther off is one of a w
 APPROACH = 40.0          # cm, of a grab that is told
 
 
-def seconds(distance, aside=0.0, obstacles=0.0, stuck=False) -> float:
+def seconds(distance, lateral=0.0, obstacles=0.0, stuck=False) -> float:
     """For a point so many cm away and deg aside, with that count on the way."""
     on_the_way = min(obstacles, MANY) if obstacles >= FEW else 0.0
-    return (distance / SPEED + abs(aside) / TURN_SPEED + OBSTACLE_S * on_the_way +
+    return (distance / SPEED + abs(lateral) / TURN_SPEED + OBSTACLE_S * on_the_way +
             (STUCK_S if stuck else 0.0))
 
 
 def of_pose(pose, point) -> float:
     """For a robot at a pose to a point of the field, both as anybody may know them."""
     dx, dy = point[0] - pose.position.x, point[1] - pose.position.y
-    aside = wrap(math.degrees(math.atan2(dy, dx)) - pose.heading_deg)
-    return seconds(math.hypot(dx, dy), aside)
+    lateral = wrap(math.degrees(math.atan2(dy, dx)) - pose.heading_deg)
+    return seconds(math.hypot(dx, dy), lateral)
 
 
 def on_way(cells, start, end) -> float:
@@ -53,14 +53,14 @@ def on_way(cells, start, end) -> float:
     if length < 2.0 * CORRIDOR:
         return 0.0
     dx, dy = dx / length, dy / length
-    half, most, total = CORRIDOR / 2.0, length - CORRIDOR, 0.0
+    half, maximum, total = CORRIDOR / 2.0, length - CORRIDOR, 0.0
     left, right = min(x0, end[0]) - half, max(x0, end[0]) + half
     for cell in cells:
         place = cell.position
         x = place.x
         if left < x < right:  # half of the cells do not
             x, y = x - x0, place.y - y0
-            if half < x * dx + y * dy < most and abs(x * dy - y * dx) < half:
+            if half < x * dx + y * dy < maximum and abs(x * dy - y * dx) < half:
                 total += cell.own + cell.heard
     return total
 
@@ -102,7 +102,7 @@ def heard_of(world):
 
 def unsure(lost_frames) -> float:
     """Seconds for a ball unseen for so many frames: a quadratic bonus that shrinks."""
-    return min(LOST_MOST_S, LOST_S * max(0.0, lost_frames - SURE_FRAMES) ** 2)
+    return min(LOST_MAX_S, LOST_S * max(0.0, lost_frames - SURE_FRAMES) ** 2)
 
 
 def to_ball(world, lost_frames, attacked, grabs) -> float:

@@ -139,14 +139,14 @@ OStatus Agent::limp() {
 
 // Why it does not play, and that it plays again. A start is nothing to tell of.
 void Agent::tell(Rest rest) {
-  if (rest == told_ || rest == Rest::starting || rest == Rest::unasked) return;
+  if (rest == reported_ || rest == Rest::starting || rest == Rest::unasked) return;
   OSYSLOG1((osyslogINFO, "motors: %s", body::nameOf(rest)));
-  told_ = rest;
+  reported_ = rest;
 }
 
 // Gains go before the power does, and come after it.
 void Agent::obey(const MotorsOut& motors, body::LegGain legs) {
-  tell(motors.told);
+  tell(motors.reported);
   if (motors.order.power) setPower(true);
   for (std::size_t i = 0; i < kJointCount; ++i) setGain(i, motors.order.strength[i], legs);
   if (!motors.order.power) setPower(false);
@@ -165,7 +165,7 @@ void Agent::setPower(bool on) {
 
 // Told only when it changes. No gain comes before a target has been taken.
 void Agent::setGain(std::size_t joint, double strength, body::LegGain legs) {
-  ToldGain& now = gains_[joint];
+  SentGain& now = gains_[joint];
   const OPrimitiveID id = ids_.joints[joint];
   if (strength <= 0.0 || !taken_) {
     if (now.on) OPENR::DisableJointGain(id);

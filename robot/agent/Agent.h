@@ -55,7 +55,7 @@ class Agent : public OObject {
   static constexpr std::size_t kVectors = 3;
 
   // What a joint was told last.
-  struct ToldGain {
+  struct SentGain {
     bool on = false;
     bool refused = false;  // which is told once
     body::JointGain gain{};
@@ -98,16 +98,16 @@ class Agent : public OObject {
   MotionInput motionInput_;
   std::array<JointFrame, kTicksPerMessage> held_{};  // the last targets, at first the sensed pose
   Image image_;
-  std::array<ToldGain, kJointCount> gains_{};
-  bool power_ = false;       // asked for
-  bool motorPower_ = false;  // as the system said last
-  bool sent_ = false;        // targets, since the power was asked for
-  bool taken_ = false;       // so, and the effectors were ready for more
-  bool shutDown_ = false;    // asked for
-  TimeUs shutDownAgain_;     // if it was refused
-  bool crippled_ = false;    // a joint or the camera does not open: it does not play
-  bool lacks_ = false;       // something else does not
-  Rest told_ = Rest::none;   // in the system's log
+  std::array<SentGain, kJointCount> gains_{};
+  bool power_ = false;          // asked for
+  bool motorPower_ = false;     // as the system said last
+  bool sent_ = false;           // targets, since the power was asked for
+  bool taken_ = false;          // so, and the effectors were ready for more
+  bool shutDown_ = false;       // asked for
+  TimeUs shutDownAgain_;        // if it was refused
+  bool crippled_ = false;       // a joint or the camera does not open: it does not play
+  bool lacks_ = false;          // something else does not
+  Rest reported_ = Rest::none;  // in the system's log
   bool clockKnown_ = false;
   TimeUs tickZero_;  // system time of sensor tick 0
 };

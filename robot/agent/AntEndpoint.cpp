@@ -101,8 +101,8 @@ void AntEndpoint::takenPort(const UDPEndpointBindMsg& answer) {
   enter(State::open);
   listen();
   if (!open()) return;
-  if (told_) OSYSLOG1((osyslogINFO, "radio: port %u is open again", unsigned(params_.port)));
-  told_ = false;
+  if (reported_) OSYSLOG1((osyslogINFO, "radio: port %u is open again", unsigned(params_.port)));
+  reported_ = false;
 }
 
 void AntEndpoint::enter(State state) {
@@ -120,9 +120,9 @@ bool AntEndpoint::waits() const { return open() ? sending_ : state_ != State::cl
 
 void AntEndpoint::giveUp(const char* what, int error) {
   tryAt_ = {now_.us + TimeUs::fromSeconds(params_.retrySeconds).us};
-  if (!told_)
+  if (!reported_)
     OSYSLOG1((osyslogWARNING, "radio: port %u %s: %d", unsigned(params_.port), what, error));
-  told_ = true;
+  reported_ = true;
   if (state_ == State::binding || state_ == State::open) {
     close();
   } else {

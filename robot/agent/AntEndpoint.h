@@ -112,7 +112,7 @@ class AntEndpoint {
   State state_ = State::closed;
   std::size_t mapped_ = 0;  // of the two buffers
   bool sending_ = false;
-  bool told_ = false;  // of the failure that lasts: once is enough
+  bool reported_ = false;  // of the failure that lasts: once is enough
   TimeUs now_;
   TimeUs tryAt_;
   TimeUs askedAt_;

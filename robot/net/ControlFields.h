@@ -35,8 +35,8 @@ constexpr std::uint32_t kLongestPenalty = 3600;  // s
 constexpr std::uint32_t kHighestScore = 255;
 
 // A half that has run over counts 0.
-inline std::uint32_t secondsFrom(std::int32_t told) {
-  return static_cast<std::uint32_t>(std::clamp(told, 0, kLongestHalf));
+inline std::uint32_t secondsFrom(std::int32_t reported) {
+  return static_cast<std::uint32_t>(std::clamp(reported, 0, kLongestHalf));
 }
 
 inline TeamColour otherThan(TeamColour team) {
@@ -44,10 +44,11 @@ inline TeamColour otherThan(TeamColour team) {
 }
 
 // Blue is 0 and red 1 in all versions; later ones have more, which no robot of four legs wears.
-inline void setColours(std::array<std::uint32_t, 2> told, GameControlData& control) {
-  const bool firstIsRed =
-      (told[0] == 1) != (told[1] == 1) ? told[0] == 1 : told[1] == 0 && told[0] != 0;
-  control.coloursTold = told[0] != told[1] && (told[0] <= 1 || told[1] <= 1);
+inline void setColours(std::array<std::uint32_t, 2> reported, GameControlData& control) {
+  const bool firstIsRed = (reported[0] == 1) != (reported[1] == 1)
+                              ? reported[0] == 1
+                              : reported[1] == 0 && reported[0] != 0;
+  control.coloursGiven = reported[0] != reported[1] && (reported[0] <= 1 || reported[1] <= 1);
   control.teams[0].colour = firstIsRed ? TeamColour::red : TeamColour::blue;
   control.teams[1].colour = otherThan(control.teams[0].colour);
 }

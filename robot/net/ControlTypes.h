@@ -64,7 +64,7 @@ struct GameControlData {
   std::array<ControlTeam, 2> teams;
   // False: told were not one blue and one red team, so that the first is blue here and the second
   // red. Who knows its team's number knows better.
-  bool coloursTold = true;
+  bool coloursGiven = true;
 
   template <int = 0>
   static constexpr auto fields() {
@@ -74,7 +74,7 @@ struct GameControlData {
                      field("secondsLeft", &D::secondsLeft, "s", 0, 86400),
                      field("dropInTeam", &D::dropInTeam, "", 0, 1),
                      field("dropInSeconds", &D::dropInSeconds, "s"), field("teams", &D::teams),
-                     field("coloursTold", &D::coloursTold));
+                     field("coloursGiven", &D::coloursGiven));
   }
 };
 

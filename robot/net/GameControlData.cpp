@@ -36,13 +36,13 @@ class Writer {
   std::vector<std::uint8_t> bytes_{kHeader, kHeader + 4};
 };
 
-ControlPenalty penaltyFrom(std::uint32_t told) {
+ControlPenalty penaltyFrom(std::uint32_t reported) {
   const auto last = static_cast<std::uint32_t>(ControlPenalty::other);
-  return static_cast<ControlPenalty>(std::min(told, last) & 0xffU);
+  return static_cast<ControlPenalty>(std::min(reported, last) & 0xffU);
 }
 
-std::uint32_t penaltySeconds(std::uint32_t told) {
-  return static_cast<std::int32_t>(told) < 0 ? 0 : std::min(told, kLongestPenalty);
+std::uint32_t penaltySeconds(std::uint32_t reported) {
+  return static_cast<std::int32_t>(reported) < 0 ? 0 : std::min(reported, kLongestPenalty);
 }
 
 void readTeams(ControlBytes& in, GameControlData& got) {

@@ -17,7 +17,7 @@ bool has(const ControlTeam& team, int number) {
 
 // Where no colours were told the number says which team is the robot's.
 void setColoursByNumber(TeamColour team, int number, GameControlData& control) {
-  if (control.coloursTold) return;
+  if (control.coloursGiven) return;
   const std::size_t own = control.teams[0].colour == team ? 0 : 1;
   if (!has(control.teams[own], number) && has(control.teams[1 - own], number)) swapColours(control);
 }

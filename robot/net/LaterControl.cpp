@@ -12,8 +12,8 @@ constexpr std::size_t kCoach = 42;                      // bytes
 constexpr std::uint8_t kStandby = 5;
 constexpr std::uint16_t kNever = 0xffff;  // has a ball been dropped in
 
-ControlPenalty penalty8(std::uint8_t told) {
-  switch (told) {
+ControlPenalty penalty8(std::uint8_t reported) {
+  switch (reported) {
     case 0: return ControlPenalty::none;
     case 1: return ControlPenalty::ballHolding;
     case 2: return ControlPenalty::playerPushing;
@@ -25,8 +25,8 @@ ControlPenalty penalty8(std::uint8_t told) {
   }
 }
 
-ControlPenalty penalty18(std::uint8_t told) {
-  switch (told) {
+ControlPenalty penalty18(std::uint8_t reported) {
+  switch (reported) {
     case 0: return ControlPenalty::none;
     case 1: return ControlPenalty::ballHolding;
     case 2: return ControlPenalty::playerPushing;
@@ -37,13 +37,13 @@ ControlPenalty penalty18(std::uint8_t told) {
 }
 
 // Whoever plays, comes first: robots off the bench have higher numbers.
-void readPlayers(ControlBytes& in, std::size_t told, ControlPenalty (*penalty)(std::uint8_t),
+void readPlayers(ControlBytes& in, std::size_t reported, ControlPenalty (*penalty)(std::uint8_t),
                  ControlTeam& team) {
   for (ControlPlayer& player : team.players) {
     player.penalty = penalty(in.byte());
     player.secondsLeft = in.byte();
   }
-  in.skip(2 * (told - team.players.size()));
+  in.skip(2 * (reported - team.players.size()));
 }
 
 void readTeams8(ControlBytes in, GameControlData& got) {

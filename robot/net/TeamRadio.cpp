@@ -11,12 +11,12 @@ namespace kelpie::net {
 namespace {
 
 void count(std::uint16_t& number, std::uint32_t more = 1) {
-  constexpr std::uint32_t kMost = std::numeric_limits<std::uint16_t>::max();
-  number = static_cast<std::uint16_t>(std::min(kMost, number + more));
+  constexpr std::uint32_t kMax = std::numeric_limits<std::uint16_t>::max();
+  number = static_cast<std::uint16_t>(std::min(kMax, number + more));
 }
 
 bool restarted(const MateClock& clock, std::int64_t ahead, TimeUs now) {
-  const double jump = TimeUs{ahead - clock.least}.seconds();
+  const double jump = TimeUs{ahead - clock.min}.seconds();
   const double silent = TimeUs{now.us - clock.heard.us}.seconds();
   return jump > kRestart || jump < -kRestart || silent > kRestart;
 }
@@ -34,8 +34,8 @@ std::optional<RadioRefusal> follow(TeamPacket& packet, TimeUs now, MateClock& cl
   if (!clock.known || restarted(clock, ahead, now)) clock = {true, 0, ahead, now};
   const int step = clock.number == 0 ? 1 : stepTo(packet.message.number, clock);
   if (step <= 0) return RadioRefusal::doubled;
-  clock.least = std::min(clock.least, ahead);
-  const double underWay = kQuickest + TimeUs{ahead - clock.least}.seconds();
+  clock.min = std::min(clock.min, ahead);
+  const double underWay = kQuickest + TimeUs{ahead - clock.min}.seconds();
   if (underWay > kLatest) return RadioRefusal::late;
   count(counts.lost, static_cast<std::uint32_t>(step - 1));
   clock.number = packet.message.number;

@@ -20,7 +20,7 @@ constexpr double kRestart = 5.0;    // s; a clock that jumps by more is another 
 struct MateClock {
   bool known = false;
   std::uint16_t number = 0;  // of the last message
-  std::int64_t least = 0;    // us: own clock at the arrival less the sender's, at the quickest
+  std::int64_t min = 0;      // us: own clock at the arrival less the sender's, at the quickest
   TimeUs heard;              // own clock, of the last packet
 };
 

@@ -8,12 +8,12 @@ namespace kelpie::object {
 std::unique_ptr<agent::AgentConfig> makeConfig() { return std::make_unique<agent::AgentConfig>(); }
 
 LateLoops::~LateLoops() {
-  if (made()) room_.loops.~RobotLoops();
+  if (made()) storage_.loops.~RobotLoops();
 }
 
 void LateLoops::make(const agent::AgentConfig& config, const std::string& scripts) {
   if (made()) return;
-  at_ = new (&room_.loops) RobotLoops(config, scripts);
+  at_ = new (&storage_.loops) RobotLoops(config, scripts);
   at_->power(power_);
 }
 

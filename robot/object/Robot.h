@@ -55,18 +55,18 @@ class LateLoops : public agent::Loops {
   void hear(const ControlPacket& packet, TimeUs now) override { at_->hear(packet, now); }
   void hear(const RadioPacket& packet, TimeUs now) override { at_->hear(packet, now); }
   bool takePacket(RadioPacket& packet) override { return at_->takePacket(packet); }
-  const behaviour::ToldLine* takeLine() override { return at_->takeLine(); }
+  const behaviour::ReportLine* takeLine() override { return at_->takeLine(); }
 
  private:
-  union Room {
-    Room() {}   // NOLINT(modernize-use-equals-default): the loops are made later
-    ~Room() {}  // NOLINT(modernize-use-equals-default): LateLoops ends them
+  union Surroundings {
+    Surroundings() {}   // NOLINT(modernize-use-equals-default): the loops are made later
+    ~Surroundings() {}  // NOLINT(modernize-use-equals-default): LateLoops ends them
     RobotLoops loops;
   };
 
   bool made() const { return at_ != &fault_; }
 
-  Room room_;
+  Surroundings storage_;
   agent::FaultLoops fault_;
   agent::PowerReport power_;  // told last; the loops that come later need it
   agent::Loops* at_ = &fault_;

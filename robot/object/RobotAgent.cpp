@@ -57,7 +57,7 @@ void RobotAgent::takeStick() {
 }
 
 void RobotAgent::frameDone() {
-  while (const behaviour::ToldLine* const line = loops.takeLine())
+  while (const behaviour::ReportLine* const line = loops.takeLine())
     OSYSLOG1((line->fault ? osyslogERROR : osyslogINFO, "behaviour: %s", line->text.c_str()));
 }
 

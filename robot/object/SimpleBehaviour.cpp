@@ -20,8 +20,8 @@ static_assert(std::string_view(kPlayer).rfind(kPlayerMark, 0) == 0);
 class PythonHost {
  public:
   object::SimpleState player;
-  std::string error;  // stays empty
-  Told told;          // so does this
+  std::string error;      // stays empty
+  RecentReports reports;  // so does this
 };
 
 BehaviourState::BehaviourState(const std::string& /*scripts*/)
@@ -31,7 +31,7 @@ BehaviourState::~BehaviourState() = default;
 
 const std::string& BehaviourState::lastError() const { return host_->error; }
 
-const Told& BehaviourState::told() const { return host_->told; }
+const RecentReports& BehaviourState::reports() const { return host_->reports; }
 
 Expected<Rows> BehaviourState::ask(const std::string& function) {
   return Error{function + ": the simple player has no scripts to ask"};

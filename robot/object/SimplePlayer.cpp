@@ -39,12 +39,12 @@ bool getsUp(const MotionStatus& motion) {
 }
 
 void explain(Command& command, const char* branch, const char* reason) {
-  TraceStep told;
-  told.layer = TraceLayer::player;
-  told.module.assign("simple");
-  told.branch.assign(branch);
-  told.reason.assign(reason);
-  command.trace.push_back(told);
+  TraceStep reported;
+  reported.layer = TraceLayer::player;
+  reported.module.assign("simple");
+  reported.branch.assign(branch);
+  reported.reason.assign(reason);
+  command.trace.push_back(reported);
 }
 
 Command getUp(const MotionStatus& motion, SimpleState& state) {
@@ -67,11 +67,11 @@ Command waits(TimeUs now) {
 
 Command goesTo(const BallEstimate& ball) {
   Command command;
-  const double aside = ball.heading.deg();
+  const double lateral = ball.heading.deg();
   const double share =
-      maths::clamp((kOnTheSpot - std::fabs(aside)) / (kOnTheSpot - kAheadWithin), 0.0, 1.0);
+      maths::clamp((kOnTheSpot - std::fabs(lateral)) / (kOnTheSpot - kAheadWithin), 0.0, 1.0);
   command.walk.forward = share * maths::clamp(kSlowDown * ball.distance, 0.0, kSpeed);
-  command.walk.turn = Angle::deg(maths::clamp(kTurnGain * aside, -kTurnSpeed, kTurnSpeed)).rad();
+  command.walk.turn = Angle::deg(maths::clamp(kTurnGain * lateral, -kTurnSpeed, kTurnSpeed)).rad();
   command.head.aim = HeadAim::point;
   command.head.target = {ball.relative.x, ball.relative.y, kBallTop};
   explain(command, "goes_to_ball", "the ball is known");

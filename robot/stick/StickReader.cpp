@@ -19,14 +19,14 @@ StickPath binaryPath() { return StickPath(std::string_view(kStickPath)); }
 
 StickVerdict StickReader::check() {
   finish();
-  room_.reset();
+  storage_.reset();
   return verdict_;
 }
 
 StickVerdict StickReader::load(agent::AgentConfig& config) {
   finish();
   if (verdict_.good()) verdict_.fault = readConfig(config);
-  room_.reset();
+  storage_.reset();
   return verdict_;
 }
 
@@ -38,7 +38,7 @@ void StickReader::finish() {
 }
 
 void StickReader::begin() {
-  room_ = std::make_unique<Room>();
+  storage_ = std::make_unique<Surroundings>();
   progress_ = {};
   binaryBytes_ = 0;
   stage_ = Stage::binary;
@@ -69,7 +69,7 @@ std::int32_t StickReader::readBlock(std::uint8_t* to) {
 
 // STICK.BIN stays in memory, because it is checked as a whole before anything is taken from it.
 void StickReader::readBinary() {
-  const std::int32_t got = readBlock(room_->binary.data() + binaryBytes_);
+  const std::int32_t got = readBlock(storage_->binary.data() + binaryBytes_);
   if (got < 0) return end(StickFault::unreadable, binaryPath());
   binaryBytes_ += static_cast<std::uint32_t>(got);
   if (got == kBlockBytes && binaryBytes_ < kLargestBinary) return;
@@ -100,11 +100,11 @@ void StickReader::openNext() {
 
 void StickReader::readOther() {
   const StickFileEntry& entry = list_.files[other_];
-  const std::int32_t got = readBlock(room_->block.data());
+  const std::int32_t got = readBlock(storage_->block.data());
   if (got < 0) return end(StickFault::unreadable, entry.path);
   const auto count = static_cast<std::uint32_t>(got);
-  crc_.add(room_->block.data(), count);
-  hash_.add(room_->block.data(), count);
+  crc_.add(storage_->block.data(), count);
+  hash_.add(storage_->block.data(), count);
   otherBytes_ += count;
   const bool more = count == kBlockBytes && otherBytes_ <= entry.length;
   if (more) return;
@@ -122,7 +122,7 @@ StickFault StickReader::checkOther(const StickFileEntry& entry) const {
 }
 
 StickFault StickReader::checkBinary() {
-  FieldReader reader(room_->binary.data(), binaryBytes_);
+  FieldReader reader(storage_->binary.data(), binaryBytes_);
   if (!reader.getStruct(header_)) return reader.fault();
   StickFault fault = checkHeader();
   if (fault == StickFault::none && binaryBytes_ < header_.length) fault = StickFault::cutShort;
@@ -147,7 +147,7 @@ std::uint32_t StickReader::lengthOf(Part part) const {
 }
 
 const std::uint8_t* StickReader::startOf(Part part) const {
-  const std::uint8_t* start = room_->binary.data() + kHeaderBytes;
+  const std::uint8_t* start = storage_->binary.data() + kHeaderBytes;
   for (const Part before : kParts)
     if (before < part) start += lengthOf(before);
   return start;
@@ -166,9 +166,9 @@ StickFault StickReader::checkParts() const {
 StickFault StickReader::checkHash() const {
   const std::uint32_t before = header_.length - kHashBytes;
   Fnv1a hash;
-  hash.add(room_->binary.data(), before);
+  hash.add(storage_->binary.data(), before);
   std::uint64_t written = 0;
-  std::memcpy(&written, room_->binary.data() + before, sizeof written);
+  std::memcpy(&written, storage_->binary.data() + before, sizeof written);
   return written == hash.value() ? StickFault::none : StickFault::damagedWhole;
 }
 

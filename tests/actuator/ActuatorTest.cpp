@@ -157,15 +157,15 @@ TEST(Odometry, OfAStraightWalkIsTheIntegralOfTheSpeedSomeTicksLate) {
   Walker w(params);
   w.standUp();
   double walked = 0.0;
-  double told = 0.0;
+  double reported = 0.0;
   for (int i = 0; i < 100; ++i) {
     for (int tick = 0; tick < 4; ++tick)  // 90 cm/s2 up to 20 cm/s
       walked += 0.008 * std::fmin(20.0, 90.0 * 0.008 * (4 * i + tick + 1));
     w.run(WalkRequest{20, 0, 0}, 1);
-    told += w.out.odometry.forward;
+    reported += w.out.odometry.forward;
     ASSERT_EQ(w.out.odometry.left, 0.0);
   }
-  EXPECT_NEAR(walked - told, 8 * 0.008 * 20.0, 1e-9);
+  EXPECT_NEAR(walked - reported, 8 * 0.008 * 20.0, 1e-9);
 }
 
 TEST(Odometry, TellsTheRealSpeedWhateverTheFeetDo) {
@@ -186,9 +186,9 @@ TEST(Odometry, TellsTheRealSpeedWhateverTheFeetDo) {
 // The joints of this walker do what they are told at once.
 TEST(Odometry, OfTheStandingFeetsJointsIsTheSpeedOfTheFeet) {
   ActuatorParams params = exactWalks();
-  WalkOdometry& told = params.walks.normal.odometry;
-  told = {};
-  told.forward.joints = told.left.joints = told.turn.joints = 1.0;
+  WalkOdometry& reported = params.walks.normal.odometry;
+  reported = {};
+  reported.forward.joints = reported.left.joints = reported.turn.joints = 1.0;
   Walker w(params);
   w.standUp();
   w.run(WalkRequest{10, 4, 0.3}, 60);

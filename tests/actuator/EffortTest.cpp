@@ -56,9 +56,9 @@ TEST(Effort, IsForgottenWhenTheRobotStops) {
 TEST(Effort, StaysBetweenNoneAndFullWhateverTheSensorsSay) {
   const double inf = std::numeric_limits<double>::infinity();
   for (const double duty : {std::nan(""), 1e9, -1e9, inf, -inf, -0.3}) {
-    const double told = effortAfter(std::vector<double>(20, duty));
-    EXPECT_GE(told, 0.0);
-    EXPECT_LE(told, 1.0);
+    const double reported = effortAfter(std::vector<double>(20, duty));
+    EXPECT_GE(reported, 0.0);
+    EXPECT_LE(reported, 1.0);
   }
 }
 
@@ -98,7 +98,7 @@ TEST(Gain, CurrentThatIsNotANumberChangesNothing) {
 
 TEST(Gain, WeakLegsHaveTheirOwnWalk) {
   Walker walker;
-  walker.params.walks.weak.most.turn = 0.3;
+  walker.params.walks.weak.max.turn = 0.3;
   walker.standUp();
   walker.run(WalkRequest{0.0, 0.0, 1.0}, 30);
   EXPECT_NEAR(walker.state.walk.feet.turn, 1.0, 1e-9);
@@ -124,7 +124,7 @@ TEST(Gain, AKickHasAllTheStrength) {
 }
 
 // What each message of a kick tells, in the order in which they are sent.
-std::vector<double> gainsTold(const std::vector<KeyFrame>& frames) {
+std::vector<double> gainsSent(const std::vector<KeyFrame>& frames) {
   Walker walker;
   MotionData& motion = walker.params.motions[MotionKind::kickForward];
   motion.frames.clear();
@@ -132,12 +132,12 @@ std::vector<double> gainsTold(const std::vector<KeyFrame>& frames) {
   walker.standUp();
   Command kick;
   kick.motion = MotionKind::kickForward;
-  std::vector<double> told;
+  std::vector<double> reported;
   for (int i = 0; i < 8; ++i) {
     walker.run(kick, 1);
-    told.push_back(walker.out.status.legGain);
+    reported.push_back(walker.out.status.legGain);
   }
-  return told;
+  return reported;
 }
 
 KeyFrame staysFor(std::uint32_t ticks, double gain) {
@@ -148,13 +148,13 @@ KeyFrame staysFor(std::uint32_t ticks, double gain) {
 }
 
 TEST(MotionGain, IsToldAsTheTicksThatWantItBeginToBePlayed) {
-  const std::vector<double> told{1.0, 0.4, 0.4, 0.7, 1.0, 1.0, 1.0, 1.0};
-  EXPECT_EQ(gainsTold({staysFor(8, 0.4), staysFor(4, 0.7)}), told);
+  const std::vector<double> reported{1.0, 0.4, 0.4, 0.7, 1.0, 1.0, 1.0, 1.0};
+  EXPECT_EQ(gainsSent({staysFor(8, 0.4), staysFor(4, 0.7)}), reported);
 }
 
 TEST(MotionGain, OfAMessageIsTheGreatestThatItsTicksWant) {
-  const std::vector<double> told{1.0, 0.4, 1.0, 1.0, 0.3, 1.0, 1.0, 1.0};
-  EXPECT_EQ(gainsTold({staysFor(6, 0.4), staysFor(6, 1.0), staysFor(4, 0.3)}), told);
+  const std::vector<double> reported{1.0, 0.4, 1.0, 1.0, 0.3, 1.0, 1.0, 1.0};
+  EXPECT_EQ(gainsSent({staysFor(6, 0.4), staysFor(6, 1.0), staysFor(4, 0.3)}), reported);
 }
 
 TEST(MotionGain, IsAllThereIsUnlessAFileSaysOtherwise) {

@@ -71,7 +71,7 @@ const WalkRequest kAhead{20.0, 0.0, 0.0};
 const WalkRequest kBack{-15.0, 0.0, 0.0};
 const WalkRequest kLeft{0.0, 12.0, 0.0};
 
-TEST(Push, IsTheForceWhoseWorkIsThatOfTheJoints) {
+TEST(ContactForce, IsTheForceWhoseWorkIsThatOfTheJoints) {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
     MotionInput in;
@@ -84,13 +84,13 @@ TEST(Push, IsTheForceWhoseWorkIsThatOfTheJoints) {
     const Force force{random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), 0.02};
     pushGround(force, in);
     const SensedLegs legs = sensedLegs(tick, {});
-    const Push push = pushOf(legCurrents(legs, legs, legs, 7.5), legs);
+    const ContactForce push = contactForceOf(legCurrents(legs, legs, legs, 7.5), legs);
     EXPECT_NEAR(push.forward, 4.0 * force.ahead, 4e-3);
     EXPECT_NEAR(push.left, -4.0 * force.right, 4e-3);
   }
 }
 
-TEST(Push, OfAJointThatTurnsAsFastAsItCanIsNoCurrent) {
+TEST(ContactForce, OfAJointThatTurnsAsFastAsItCanIsNoCurrent) {
   SensedLegs last;
   SensedLegs middle;
   SensedLegs next;

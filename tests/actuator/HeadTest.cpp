@@ -49,8 +49,8 @@ TEST(Head, NeverTouchesTheBodyOnAnyWay) {
                            looking(-20, 0, 45), looking(-60, 80, -15), looking(-10, 0, -15)})
     w.run(goal, 60);
   for (const JointAngles& joints : w.ticks) {
-    const double least = joints[Joint::neckTilt].deg() < -40.0 - 1e-6 ? 5.0 : -5.0;
-    ASSERT_GE(joints[Joint::headNod].deg(), least - 1e-4);
+    const double min = joints[Joint::neckTilt].deg() < -40.0 - 1e-6 ? 5.0 : -5.0;
+    ASSERT_GE(joints[Joint::headNod].deg(), min - 1e-4);
   }
 }
 

@@ -12,10 +12,10 @@ namespace {
 const JointAngles& last(const Walker& walker) { return walker.out.joints.back().target; }
 
 double furthest(const JointAngles& a, const JointAngles& b) {
-  double most = 0.0;
+  double max = 0.0;
   for (std::size_t j = 0; j < index(Joint::tailTilt); ++j)
-    most = std::fmax(most, std::fabs((a.angle[j] - b.angle[j]).deg()));
-  return most;
+    max = std::fmax(max, std::fabs((a.angle[j] - b.angle[j]).deg()));
+  return max;
 }
 
 void run(Walker& walker, const Command& command, Rest rest, int messages) {

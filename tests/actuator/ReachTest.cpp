@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "actuator/odometry/Told.h"
+#include "actuator/odometry/OdometryTerms.h"
 
 namespace kelpie::actuator {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 // Every joint of the legs swings as a sine; those of `wide` a tenth further than they are told.
 ReachState swinging(const std::array<double, kJointCount>& wide) {
   ReachState state;
-  JointAngles told;
+  JointAngles reported;
   for (int tick = 0; tick < 400; ++tick) {
     JointAngles next;
     JointAngles shown;
@@ -21,8 +21,8 @@ ReachState swinging(const std::array<double, kJointCount>& wide) {
       next.angle[j] = Angle::rad(0.5 * std::sin(0.15 * tick));
       shown.angle[j] = Angle::rad((1.0 + wide[j]) * next.angle[j].rad());
     }
-    stepReach(movedBy(told, next), true, shown, state);
-    told = next;
+    stepReach(movedBy(reported, next), true, shown, state);
+    reported = next;
   }
   return state;
 }

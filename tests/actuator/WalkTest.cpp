@@ -174,9 +174,9 @@ TEST(Walk, TurningAboutAPointKeepsItInItsPlace) {
 }
 
 // 1 where the feet go as far as they may.
-double strokeShare(const Velocity& feet, const StrokeLimits& most) {
-  return std::hypot(feet.forward / (feet.forward < 0.0 ? most.back : most.forward),
-                    feet.left / most.left, feet.turn / most.turn);
+double strokeShare(const Velocity& feet, const StrokeLimits& max) {
+  return std::hypot(feet.forward / (feet.forward < 0.0 ? max.back : max.forward),
+                    feet.left / max.left, feet.turn / max.turn);
 }
 
 TEST(Walk, ARequestBeyondTheFeetKeepsItsDirection) {
@@ -184,7 +184,7 @@ TEST(Walk, ARequestBeyondTheFeetKeepsItsDirection) {
   for (const WalkRequest& request :
        {WalkRequest{0, 0, 20}, {0, 0, -5}, {150, 150, 0}, {-90, 40, 3}, {300, 0, 2}}) {
     const Velocity feet = wantedSpeed(request, set);
-    EXPECT_NEAR(strokeShare(feet, set.most), 1.0, 0.01);
+    EXPECT_NEAR(strokeShare(feet, set.max), 1.0, 0.01);
     const Velocity real = realSpeed(feet, set.calibration);
     const double share = std::hypot(real.forward, real.left, real.turn) /
                          std::hypot(request.forward, request.left, request.turn);

@@ -15,7 +15,7 @@ inline ActuatorParams exactWalks() {
   ActuatorParams params;
   params.walks = {};
   params.walks.normal.gait.lead = 1.0;
-  params.walks.normal.stance.hindAside = 9.5;
+  params.walks.normal.stance.hindLateral = 9.5;
   return params;
 }
 

@@ -71,7 +71,7 @@ TEST(Causes, OneThatEndsDoesNotEndAnother) {
   EXPECT_EQ(watched.step(20.0, {}).rest, Rest::hot);
 }
 
-TEST(Causes, TheGravestIsTold) {
+TEST(Causes, TheGravestIsReported) {
   CausesIn all;
   all.stuck = all.blind = all.report.paused = all.report.fanFault = all.report.hot = true;
   all.report.overCurrent = all.report.batteryLow = true;

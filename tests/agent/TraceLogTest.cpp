@@ -29,21 +29,21 @@ class Sink : public LogSink {
   }
   void motion(const MotionInput& input, const MotionOutput& output) override {
     walked = walked || input.command.walk.forward > 0.0;
-    toldAgain += input.command.trace.size();
+    repeated += input.command.trace.size();
     log_.write(kMotionInputTopic, input.time, input);
     log_.write(kMotionOutputTopic, input.time, output);
   }
   void frame(const FrameInput& input, const FrameOutput& output) override {
-    toldAgain += input.lastCommand.trace.size();
-    told += output.command.trace.size();
+    repeated += input.lastCommand.trace.size();
+    reported += output.command.trace.size();
     log_.write(kFrameInputTopic, input.time, input);
     log_.write(kFrameOutputTopic, input.time, output);
   }
   Status close() { return log_.close(); }
 
   bool walked = false;
-  std::size_t told = 0;
-  std::size_t toldAgain = 0;
+  std::size_t reported = 0;
+  std::size_t repeated = 0;
 
  private:
   LogWriter log_;
@@ -86,8 +86,8 @@ TEST_F(TraceLog, WhyIsToldOnceAndReplaysBitForBit) {
     play(*loops, 60);
     EXPECT_EQ(loops->scriptError(), "");
     EXPECT_TRUE(sink.walked);
-    EXPECT_EQ(sink.told, 180U);
-    EXPECT_EQ(sink.toldAgain, 0U);
+    EXPECT_EQ(sink.reported, 180U);
+    EXPECT_EQ(sink.repeated, 0U);
     ASSERT_TRUE(sink.close());
   }
   StageObserver silent;

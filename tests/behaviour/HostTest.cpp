@@ -108,9 +108,9 @@ TEST(Host, EndlessRecursionIsAScriptErrorOfAFewLines) {
   HostRun run(scripts);
   testing::internal::CaptureStderr();
   EXPECT_EQ(run.step().fallback, Fallback::scriptError);
-  const std::string told = testing::internal::GetCapturedStderr();
-  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 10) << told;
-  EXPECT_TRUE(contains(told, "main.py:5: RecursionError")) << told;
+  const std::string reported = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(reported.begin(), reported.end(), '\n'), 10) << reported;
+  EXPECT_TRUE(contains(reported, "main.py:5: RecursionError")) << reported;
 }
 
 TEST(Host, EndlessLoopIsCutOffAndTheEditedFileWorks) {
@@ -153,15 +153,15 @@ TEST(Host, EndlessLoopWhileLoadingIsCutOff) {
 TEST(Host, FallbackStandsAndTurnsTheHead) {
   const Scripts scripts("raise ValueError()");
   HostRun run(scripts);
-  double least = 0.0, most = 0.0;
+  double min = 0.0, max = 0.0;
   for (int i = 0; i < 120; ++i) {
     const Command command = run.step();
     EXPECT_EQ(command.walk.forward, 0.0);
-    least = std::min(least, command.head.headPan.deg());
-    most = std::max(most, command.head.headPan.deg());
+    min = std::min(min, command.head.headPan.deg());
+    max = std::max(max, command.head.headPan.deg());
   }
-  EXPECT_NEAR(least, -60.0, 1.0);
-  EXPECT_NEAR(most, 60.0, 1.0);
+  EXPECT_NEAR(min, -60.0, 1.0);
+  EXPECT_NEAR(max, 60.0, 1.0);
 }
 
 TEST(Host, EditReplacesEverything) {
@@ -218,10 +218,10 @@ TEST(Host, SyntaxErrorInAnEditIsOneLineOnceAndTheMendedFilePlays) {
   HostRun run(scripts);
   run.step();
   scripts.write("main.py", "import kelpie\nboom(\n");
-  const std::string told = heard(run);
-  EXPECT_TRUE(contains(told, scripts.path() + "/main.py:2: SyntaxError: ")) << told;
-  EXPECT_TRUE(contains(told, "; the version before plays on\n")) << told;
-  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
+  const std::string reported = heard(run);
+  EXPECT_TRUE(contains(reported, scripts.path() + "/main.py:2: SyntaxError: ")) << reported;
+  EXPECT_TRUE(contains(reported, "; the version before plays on\n")) << reported;
+  EXPECT_EQ(std::count(reported.begin(), reported.end(), '\n'), 1) << reported;
   for (int i = 0; i < 3; ++i) EXPECT_EQ(heard(run), "");
   EXPECT_TRUE(contains(run.state.lastError(), "main.py:2:"));
   scripts.writeDecide("return kelpie.Command(walk=kelpie.WalkRequest(forward=5))");
@@ -281,10 +281,10 @@ TEST(Host, FileThatCannotBeReadIsToldByItsName) {
   run.step();
   scripts.remove("main.py");
   std::filesystem::create_directory(scripts.path() + "/main.py");  // unreadable, for root too
-  const std::string told = heard(run);
-  EXPECT_TRUE(contains(told, scripts.path() + "/main.py")) << told;
-  EXPECT_TRUE(contains(told, "; the version before plays on\n")) << told;
-  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 1) << told;
+  const std::string reported = heard(run);
+  EXPECT_TRUE(contains(reported, scripts.path() + "/main.py")) << reported;
+  EXPECT_TRUE(contains(reported, "; the version before plays on\n")) << reported;
+  EXPECT_EQ(std::count(reported.begin(), reported.end(), '\n'), 1) << reported;
   EXPECT_EQ(run.step().walk.forward, 7.0);
 }
 

@@ -28,7 +28,7 @@ TEST_P(Greedy, ScriptGetsAMemoryErrorAtItsLine) {
     const std::string where = scripts.path() + "/main.py:5: " + kTooMuch;
     EXPECT_EQ(run.state.lastError(), where) << GetParam();
   }
-  EXPECT_EQ(run.state.told().number, 1U) << "told once";
+  EXPECT_EQ(run.state.reports().number, 1U) << "told once";
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -49,11 +49,11 @@ TEST(Print, LineIsToldToTheRobotsLogAsNoFault) {
   HostRun run(scripts);
   run.step();
   std::uint32_t read = 0;
-  const ToldLine* const line = run.state.told().next(read);
+  const ReportLine* const line = run.state.reports().next(read);
   ASSERT_NE(line, nullptr);
   EXPECT_EQ(line->text, "hello");
   EXPECT_FALSE(line->fault);
-  EXPECT_EQ(run.state.told().next(read), nullptr);
+  EXPECT_EQ(run.state.reports().next(read), nullptr);
 }
 
 TEST(Print, MoreThanTenLinesASecondAreCountedAndTold) {
@@ -63,12 +63,13 @@ TEST(Print, MoreThanTenLinesASecondAreCountedAndTold) {
     HostRun run(scripts);
     for (int i = 0; i < 70; ++i) run.step();
   }
-  const std::string told = testing::internal::GetCapturedStderr();
-  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 10 + 1 + 10 + 1 + 10 + 1) << told;
-  EXPECT_TRUE(contains(told,
+  const std::string reported = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(reported.begin(), reported.end(), '\n'), 10 + 1 + 10 + 1 + 10 + 1)
+      << reported;
+  EXPECT_TRUE(contains(reported,
                        "behaviour: frame 10\nbehaviour: print(): 19 more lines; 10 a second "
                        "are told\nbehaviour: frame 30\n"))
-      << told;
+      << reported;
 }
 
 TEST(Print, LongLineIsCutBetweenTwoCharactersAndSaysHowMuchIsMissing) {
@@ -101,15 +102,15 @@ TEST(Help, FunctionsTellTheirArgumentsAndDocstring) {
 }
 
 TEST(Help, WorldTellsItsNames) {
-  const std::string told = printed("help(world)");
+  const std::string reported = printed("help(world)");
   for (const char* name : {"ball", "time_s", "teammates", "pose"})
-    EXPECT_TRUE(contains(told, name));
+    EXPECT_TRUE(contains(reported, name));
 }
 
 TEST(Help, LongDocstringIsBounded) {
-  const std::string told = printed("help(str)");
-  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 9) << told;
-  EXPECT_TRUE(contains(told, "more lines\n")) << told;
+  const std::string reported = printed("help(str)");
+  EXPECT_EQ(std::count(reported.begin(), reported.end(), '\n'), 9) << reported;
+  EXPECT_TRUE(contains(reported, "more lines\n")) << reported;
 }
 
 TEST(Instead, MissingModuleSaysWhatThereIs) {

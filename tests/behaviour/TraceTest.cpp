@@ -7,22 +7,22 @@
 namespace kelpie::behaviour {
 namespace {
 
-struct Told {
+struct Traced {
   Command command;
   std::string error;
 };
 
-Told told(const std::string& trace) {
+Traced reported(const std::string& trace) {
   const Scripts scripts("return kelpie.Command(trace=" + trace + ")");
   HostRun run(scripts);
-  Told result;
+  Traced result;
   result.command = run.step();
   result.error = run.state.lastError();
   return result;
 }
 
 TEST(Trace, IsReadInOrderFromTuples) {
-  const Told result = told(
+  const Traced result = reported(
       "[(kelpie.LAYER_PLAYER, 'forward', 'play', 'the game is on'),"
       " (kelpie.LAYER_SKILL, 'grab_dribble', 'aim', 'gap {} deg, {} cm', 12.5, 80)]");
   ASSERT_EQ(result.command.trace.size(), 2U) << result.error;
@@ -47,13 +47,13 @@ TEST(Trace, OfACommandThatSaysNothingIsEmpty) {
 }
 
 TEST(Trace, BeyondEightStepsAndThreeNumbersIsCutOff) {
-  const Told result = told("[(0, 'm', 'b', 'r', 1, 2, 3, 4, None)] * 9 + [None]");
+  const Traced result = reported("[(0, 'm', 'b', 'r', 1, 2, 3, 4, None)] * 9 + [None]");
   ASSERT_EQ(result.command.trace.size(), 8U) << result.error;
   EXPECT_EQ(result.command.trace[7].numbers.size(), 3U);
 }
 
 TEST(Trace, LongTextsAreCutOffAtACharacter) {
-  const Told result = told("[(0, 'm' * 50, 'b' * 50, 'r' * 79 + chr(0xe9) + 'x')]");
+  const Traced result = reported("[(0, 'm' * 50, 'b' * 50, 'r' * 79 + chr(0xe9) + 'x')]");
   ASSERT_EQ(result.command.trace.size(), 1U) << result.error;
   EXPECT_EQ(result.command.trace[0].module.view(), std::string(20, 'm'));
   EXPECT_EQ(result.command.trace[0].branch.view(), std::string(24, 'b'));
@@ -61,7 +61,7 @@ TEST(Trace, LongTextsAreCutOffAtACharacter) {
 }
 
 TEST(Trace, LayersAndNumbersOutOfRangeAreClamped) {
-  const Told result = told("[(9, 'm', 'b', 'r', math.inf, -1e9), (-10**30, 'm', 'b', 'r')]");
+  const Traced result = reported("[(9, 'm', 'b', 'r', math.inf, -1e9), (-10**30, 'm', 'b', 'r')]");
   ASSERT_EQ(result.command.trace.size(), 2U) << result.error;
   EXPECT_EQ(result.command.trace[0].layer, TraceLayer::skill);
   EXPECT_EQ(result.command.trace[0].numbers[0], 1e6);
@@ -84,7 +84,7 @@ TEST(Trace, OfWrongTypesIsABadCommandWithOneClearLine) {
       {"[(0, 'm', 'b', 'r', math.nan)]", "Command.trace[0].numbers[0] is not a number"},
       {"[(0, 'm', 'b', 'r', 10**400)]", "Command.trace[0].numbers[0] is not a number"}};
   for (const auto& [trace, line] : wrong) {
-    const Told result = told(trace);
+    const Traced result = reported(trace);
     EXPECT_EQ(result.command.fallback, Fallback::badCommand) << trace;
     EXPECT_NE(result.error.find(line), std::string::npos) << trace << ": " << result.error;
     EXPECT_EQ(result.error.find('\n'), std::string::npos) << trace;

@@ -7,7 +7,7 @@
 namespace kelpie::calibrate {
 namespace {
 
-Stand unlike() {
+Stand randomised() {
   Stand stand;
   stand.body.lens.focalLength = 199.0;
   stand.body.neckTiltOffset = Angle::deg(-2.4);
@@ -20,7 +20,7 @@ Stand unlike() {
 double found(const BodyEstimate& e, Unknown unknown) { return e.unknowns[unknown].value; }
 
 TEST(BodyEstimate, FindsLensNeckRollAndPlayOfAnUnlikeRobot) {
-  const auto e = estimateBody(logOf(unlike()));
+  const auto e = estimateBody(logOf(randomised()));
   ASSERT_TRUE(e.ok()) << e.error();
   EXPECT_NEAR(e->params.lens.focalLength, 199.0, 0.005 * 199.0);
   EXPECT_NEAR(e->params.neckTiltOffset.deg(), -2.4, 0.15);
@@ -39,14 +39,14 @@ TEST(BodyEstimate, AnOrdinaryRobotKeepsItsParameters) {
 }
 
 TEST(BodyEstimate, ResidualsShrink) {
-  const auto e = estimateBody(logOf(unlike()));
+  const auto e = estimateBody(logOf(randomised()));
   ASSERT_TRUE(e.ok()) << e.error();
   for (const auto kind : {SightKind::bandBorder, SightKind::linePoint, SightKind::carpetEnd})
     EXPECT_LT(medianMiss(e->after, kind), 0.4 * medianMiss(e->before, kind)) << nameOf(kind);
 }
 
 TEST(BodyEstimate, WhatTheAgentBelievedOfItsTiltDoesNotMatter) {
-  StandingLog log = logOf(unlike());
+  StandingLog log = logOf(randomised());
   const auto plain = estimateBody(log);
   for (StandingFrame& frame : log.frames) frame.input.cameraTilt.tilt = Angle::deg(5.0);
   const auto believed = estimateBody(log);
@@ -91,13 +91,13 @@ TEST(BodyEstimate, ARobotThatWasPushedIsRefused) {
 
 // One way from side to side with one neck angle: a share of that angle is an offset.
 TEST(BodyEstimate, WhatOneNeckAngleCannotTellIsLeftAndSaid) {
-  Stand once = unlike();
+  Stand once = randomised();
   once.ways = 1;
   const auto e = estimateBody(logOf(once));
   ASSERT_TRUE(e.ok()) << e.error();
-  EXPECT_FALSE(e->unknowns[kNeckGives].told);
+  EXPECT_FALSE(e->unknowns[kNeckGives].reported);
   EXPECT_EQ(e->params.neckGives, 0.0);
-  EXPECT_TRUE(e->unknowns[kNeckTilt].told);
+  EXPECT_TRUE(e->unknowns[kNeckTilt].reported);
 }
 
 TEST(PanSlack, FollowsTheEndsOfTheDeadZoneAndNotTheNoise) {

@@ -14,21 +14,21 @@ class DistanceData : public ::testing::Test {
     for (const auto object : {SizedObject::ball, SizedObject::beacon, SizedObject::goal})
       if (!readMeasurements(object)) GTEST_SKIP() << readMeasurements(object).error();
   }
-  static Measurements from(SizedObject object, double least) {
+  static Measurements from(SizedObject object, double min) {
     Measurements kept;
     const auto rows = readMeasurements(object);
     for (const auto& m : *rows)
-      if (m.distance >= least) kept.push_back(m);
+      if (m.distance >= min) kept.push_back(m);
     return kept;
   }
-  static double percent(SizedObject object, double least, const Optics& optics) {
-    return misfit(from(object, least), geometry(object, optics)).rmsPercent;
+  static double percent(SizedObject object, double min, const Optics& optics) {
+    return misfit(from(object, min), geometry(object, optics)).rmsPercent;
   }
-  static double cm(SizedObject object, double least, const Optics& optics) {
-    return misfit(from(object, least), geometry(object, optics)).rms;
+  static double cm(SizedObject object, double min, const Optics& optics) {
+    return misfit(from(object, min), geometry(object, optics)).rms;
   }
-  static double teamsCm(SizedObject object, double least) {
-    return misfit(from(object, least), teamsFit(object)).rms;
+  static double teamsCm(SizedObject object, double min) {
+    return misfit(from(object, min), teamsFit(object)).rms;
   }
 };
 

@@ -48,9 +48,9 @@ TEST(Labels, CsvMayHaveNamesAndNumbersOfClasses) {
 TEST(Labels, UnknownClassesAreOneLineWithFileLineAndList) {
   for (const std::string name : {"purple", "13", "Orange", "200", ""}) {
     const auto file = written("purple.csv", "Y,Cr,Cb,class\n1,2,3,4\n1,2,3," + name + "\n");
-    const std::string told = readLabelledCsv(file).error();
-    EXPECT_EQ(told.find(file + ":3: no class '"), 0U) << told;
-    EXPECT_NE(told.find(kClasses), std::string::npos) << told;
+    const std::string reported = readLabelledCsv(file).error();
+    EXPECT_EQ(reported.find(file + ":3: no class '"), 0U) << reported;
+    EXPECT_NE(reported.find(kClasses), std::string::npos) << reported;
   }
 }
 

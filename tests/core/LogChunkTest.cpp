@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "robot/core/Checksum.h"
-#include "robot/core/log/ChunkRoom.h"
+#include "robot/core/log/ChunkBuffer.h"
 #include "tests/core/LogFiles.h"
 #include "tests/core/SampleLog.h"
 
@@ -55,18 +55,18 @@ TEST_F(LogChunks, KeepEveryMessageHoweverTheyAreCut) {
   }
 }
 
-TEST(ChunkRoom, IsTakenOnceForAllChunksOfAboutASize) {
+TEST(ChunkBuffer, IsTakenOnceForAllChunksOfAboutASize) {
   std::vector<std::uint8_t> buffer;
-  makeRoom(buffer, 1100000);
+  growTo(buffer, 1100000);
   const std::uint8_t* const at = buffer.data();
   const std::size_t room = buffer.capacity();
   EXPECT_GE(room, 1100000U);
   for (std::size_t bytes = 900000; bytes < 1200000; bytes += 10000) {
-    makeRoom(buffer, bytes);
+    growTo(buffer, bytes);
     buffer.assign(bytes, 1);
     ASSERT_EQ(buffer.data(), at);
   }
-  makeRoom(buffer, 3 * room);
+  growTo(buffer, 3 * room);
   EXPECT_GE(buffer.capacity(), 3 * room);
 }
 

@@ -92,7 +92,7 @@ void expectAllUndamaged(const Reading& reading, const std::vector<std::string>& 
   }
 }
 
-bool isTold(const Reading& reading, std::uint64_t time) {
+bool isReported(const Reading& reading, std::uint64_t time) {
   if (reading.truncated && (reading.contents.empty() || timeOf(reading.contents.back()) <= time))
     return true;
   return std::any_of(reading.gaps.begin(), reading.gaps.end(), [&](const LogGap& gap) {
@@ -102,12 +102,12 @@ bool isTold(const Reading& reading, std::uint64_t time) {
 }
 
 // Every message that is given is as it was written, and every other lies in a gap that is told.
-void expectGapsTold(const Reading& reading, const std::vector<std::string>& all) {
+void expectGapsReported(const Reading& reading, const std::vector<std::string>& all) {
   const std::set<std::string> read(reading.contents.begin(), reading.contents.end());
   const std::set<std::string> written(all.begin(), all.end());
   for (const std::string& content : reading.contents) ASSERT_EQ(written.count(content), 1U);
   for (const std::string& content : all)
-    ASSERT_TRUE(read.count(content) == 1 || isTold(reading, timeOf(content)))
+    ASSERT_TRUE(read.count(content) == 1 || isReported(reading, timeOf(content)))
         << timeOf(content) << " ns";
 }
 
@@ -126,7 +126,7 @@ void tryDamages(const LogOptions& options, bool whole, std::uint64_t seed) {
     const Reading reading = readAll(fileWith("broken", broken));
     ASSERT_EQ(reading.error, "");
     expectAllUndamaged(reading, all, log, damages);
-    expectGapsTold(reading, all);
+    expectGapsReported(reading, all);
     if (testing::Test::HasFatalFailure()) return;
   }
 }

@@ -110,6 +110,42 @@ TEST(SchemaTranslation, NewMembersOfListedStructsAreAsNearToZeroAsTheirRangeAllo
   EXPECT_EQ(now.parts[1].side, Side::left);  // 1..2
 }
 
+struct Stroke {
+  double min = -1.0;
+  double max = 1.0;
+  static constexpr const char* typeName() { return "Stroke"; }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("min", &Stroke::min), field("max", &Stroke::max));
+  }
+};
+
+struct OldStroke {
+  double most = 0.0;
+  double min = 0.0;
+  double least = 0.0;  // means something else beside a `min`
+  static constexpr const char* typeName() { return "Stroke"; }
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("most", &OldStroke::most), field("min", &OldStroke::min),
+                     field("least", &OldStroke::least));
+  }
+};
+
+TEST(SchemaTranslation, AMemberThatWasRenamedIsReadByItsFormerName) {
+  const auto translation =
+      SchemaTranslation::make("kelpie/Stroke", schemaText<OldStroke>(), schemaText<Stroke>());
+  ASSERT_TRUE(translation);
+  const auto bytes = bytesOf(OldStroke{5.0, -3.0, -2.0});
+  std::vector<std::uint8_t> out;
+  ASSERT_TRUE(translation->translate(bytes.data(), bytes.size(), bytesOf(Stroke{}), out));
+  Stroke now;
+  ASSERT_TRUE(decode(out.data(), out.size(), now));
+  EXPECT_EQ(now.max, 5.0);
+  EXPECT_EQ(now.min, -3.0);
+  EXPECT_EQ(translation->leftOut(), (std::vector<std::string>{"least"}));
+}
+
 TEST(SchemaTranslation, SaysWhichMembersDiffer) {
   const auto translation = oldToNew();
   EXPECT_EQ(translation.defaulted(),

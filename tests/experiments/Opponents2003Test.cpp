@@ -42,11 +42,11 @@ double spread(bool of2003) {
                     counts);
     }
   }
-  double most = 0.0;
+  double max = 0.0;
   for (const OpponentFilter& a : opponents.filters)
     for (const OpponentFilter& b : opponents.filters)
-      most = std::max(most, (placeOf(a.belief).mean - placeOf(b.belief).mean).norm());
-  return most;
+      max = std::max(max, (placeOf(a.belief).mean - placeOf(b.belief).mean).norm());
+  return max;
 }
 
 TEST(Opponents2003, AllFourComeTogetherOnTheOneInSight) { EXPECT_LT(spread(true), 35.0); }

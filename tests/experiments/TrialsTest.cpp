@@ -54,12 +54,12 @@ Request requestOf(int trials) {
 
 TEST(Trials, HaveSeedsOfTheirOwnAndTellHowFarTheyAre) {
   Request request = requestOf(3);
-  std::vector<int> told;
-  request.progress = [&](int done, int all) { told.push_back(10 * all + done); };
+  std::vector<int> reported;
+  request.progress = [&](int done, int all) { reported.push_back(10 * all + done); };
   std::vector<std::uint64_t> seeds;
   eachTrial(request, [&](const Trial& trial) { seeds.push_back(trial.seed); });
   EXPECT_EQ(seeds, (std::vector<std::uint64_t>{40, 41, 42}));
-  EXPECT_EQ(told, (std::vector<int>{31, 32, 33}));
+  EXPECT_EQ(reported, (std::vector<int>{31, 32, 33}));
 }
 
 TEST(Trials, EndWithTheFirstThatFails) {

@@ -20,7 +20,7 @@ void checkViews(const net::GameControlData& control) {
 // Version 4 has one word for who kicks off and for nobody, and always a blue and a red team.
 net::GameControlData asVersion4(net::GameControlData control) {
   if (control.dropBall) control.kickOff = TeamColour::blue;
-  control.coloursTold = true;
+  control.coloursGiven = true;
   return control;
 }
 

@@ -15,7 +15,7 @@
 #include "tools/calibrate/Images.h"
 #include "tools/cli/log/Recording.h"
 #include "tools/picture/Jpeg.h"
-#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/bodies/Randomisation.h"
 #include "vision/colour/TableFile.h"
 
 namespace {

@@ -168,10 +168,10 @@ TEST(Opponents, OneInSightLeavesTheOthersWhereTheyWere) {
   for (int i = 0; i < 90; ++i) world = robot.step();
   ASSERT_EQ(world.opponents.size(), 4U);
   for (const auto& at : places) {
-    double least = 1e9;
+    double min = 1e9;
     for (const OpponentEstimate& o : world.opponents)
-      least = std::min(least, std::hypot(o.position.x - at[0], o.position.y - at[1]));
-    EXPECT_LT(least, 3.0);
+      min = std::min(min, std::hypot(o.position.x - at[0], o.position.y - at[1]));
+    EXPECT_LT(min, 3.0);
   }
 }
 
@@ -186,11 +186,11 @@ TEST(Opponents, WhatAMateSawMakesTheBeliefSurer) {
   sim::LocalisingRobot robot = robotAt(180, 100);
   robot.percepts.robots.push_back(opponentAt(robot, 150, 230));
   const OpponentEstimate alone = robot.step().opponents[0];
-  sim::LocalisingRobot told = robotAt(180, 100);
-  told.percepts.robots.push_back(opponentAt(told, 150, 230));
-  told.input.team.push_back(messageFrom(2, 1));
-  told.input.team[0].opponents[0] = {{152, 232}, {100, 0, 0, 100}};
-  const WorldModel world = told.step();
+  sim::LocalisingRobot reported = robotAt(180, 100);
+  reported.percepts.robots.push_back(opponentAt(reported, 150, 230));
+  reported.input.team.push_back(messageFrom(2, 1));
+  reported.input.team[0].opponents[0] = {{152, 232}, {100, 0, 0, 100}};
+  const WorldModel world = reported.step();
   ASSERT_EQ(world.opponents.size(), 1U);
   const Place both = productOf({vectorOf(alone.position), matrixOf(alone.covariance)},
                                {Vector2(152, 232), 100.0 * Matrix2::Identity()});

@@ -131,15 +131,15 @@ INSTANTIATE_TEST_SUITE_P(Ball, Kick, testing::Values(120.0, 160.0, 250.0));
 
 // Seen for two seconds while it rolls at this speed, then once this far aside of its way, then not
 // again for a second while the head looks elsewhere.
-WorldModel seenOnceAside(double speed, double aside, Watcher& watcher) {
+WorldModel seenOnceOffLine(double speed, double lateral, Watcher& watcher) {
   watcher.ball = {120, 330};
   for (int i = 0; i < 60; ++i) {
     watcher.ball.x += speed * kFrameSeconds;
     watcher.step(true);
   }
-  watcher.ball.y += aside;
+  watcher.ball.y += lateral;
   WorldModel world = watcher.step(true);
-  watcher.ball.y -= aside;
+  watcher.ball.y -= lateral;
   EXPECT_NEAR(world.ball.velocity.y, 0.0, 5.0);
   watcher.robot.input.sensors.joints[Joint::headPan] = Angle::deg(90);
   for (int i = 0; i < 30; ++i) world = watcher.step(false);
@@ -147,20 +147,20 @@ WorldModel seenOnceAside(double speed, double aside, Watcher& watcher) {
 }
 
 TEST(Jump, OfALyingBallSeenOnceAndThenNothingIsNotBelieved) {
-  for (const double aside : {10.0, 12.0, 20.0, -15.0}) {
+  for (const double lateral : {10.0, 12.0, 20.0, -15.0}) {
     Watcher watcher(180, 200);
-    const WorldModel world = seenOnceAside(0.0, aside, watcher);
+    const WorldModel world = seenOnceOffLine(0.0, lateral, watcher);
     // At 143 cm one sighting is off by 3 cm: it moves what 60 said by a fifth of itself at most.
-    EXPECT_NEAR(world.ball.position.x, 120.0, 2.0) << aside;
-    EXPECT_NEAR(world.ball.position.y, 330.0, 2.0) << aside;
+    EXPECT_NEAR(world.ball.position.x, 120.0, 2.0) << lateral;
+    EXPECT_NEAR(world.ball.position.y, 330.0, 2.0) << lateral;
   }
 }
 
 TEST(Jump, OfARollingBallSeenOnceAndThenNothingIsNotBelieved) {
-  for (const double aside : {10.0, 20.0, -15.0}) {
+  for (const double lateral : {10.0, 20.0, -15.0}) {
     Watcher watcher(180, 200);
-    const WorldModel world = seenOnceAside(30.0, aside, watcher);
-    EXPECT_NEAR(world.ball.position.y, 330.0, 4.0) << aside;
+    const WorldModel world = seenOnceOffLine(30.0, lateral, watcher);
+    EXPECT_NEAR(world.ball.position.y, 330.0, 4.0) << lateral;
   }
 }
 

@@ -43,9 +43,9 @@ TEST(DriverLinkTest, ViewGoesOutAndTheAnswerIsTheDrive) {
     drive.command.walk.forward = 15.0;
     EXPECT_TRUE(sendMessage(*line.driver, MessageType::drive, drive, body));
   });
-  const Status told = line.link->tell(*line.input, *line.output);
+  const Status reported = line.link->tell(*line.input, *line.output);
   driver.join();
-  ASSERT_TRUE(told) << told.error();
+  ASSERT_TRUE(reported) << reported.error();
   EXPECT_EQ(line.link->drive().command.walk.forward, 15.0);
   EXPECT_EQ(seen->motion.running, MotionKind::cheer);
   EXPECT_EQ(seen->image.y[77], 9);
@@ -55,8 +55,8 @@ TEST(DriverLinkTest, ViewGoesOutAndTheAnswerIsTheDrive) {
 TEST(DriverLinkTest, WithoutItsDriverTheRobotStands) {
   Line line;
   line.driver.reset();
-  const Status told = line.link->tell(*line.input, *line.output);
-  EXPECT_EQ(told.error(), "connection closed by the world");
+  const Status reported = line.link->tell(*line.input, *line.output);
+  EXPECT_EQ(reported.error(), "connection closed by the world");
   EXPECT_TRUE(line.link->drive().present);
 }
 

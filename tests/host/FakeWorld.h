@@ -64,7 +64,7 @@ class FakeLoops : public agent::Loops {
  public:
   static agent::MotorsOut allOn() {
     agent::MotorsOut on;
-    on.rest = on.told = Rest::none;
+    on.rest = on.reported = Rest::none;
     on.order.power = true;
     on.order.strength.fill(1.0);
     return on;
@@ -87,7 +87,7 @@ class FakeLoops : public agent::Loops {
   }
   void hear(const ControlPacket& packet, TimeUs) override { controls.push_back(packet); }
   void hear(const RadioPacket& packet, TimeUs) override { packets.push_back(packet); }
-  const behaviour::ToldLine* takeLine() override { return nullptr; }
+  const behaviour::ReportLine* takeLine() override { return nullptr; }
   bool takePacket(RadioPacket& packet) override {
     packet = says;
     says.bytes.clear();

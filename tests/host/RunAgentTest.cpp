@@ -267,24 +267,24 @@ TEST(AgentTest, TellsTheLoopsOfAPauseAndOfItsEndBeforeTheSensorsOfThatStep) {
   FakeLoops loops;
   const auto object = std::make_unique<agent::Agent>(loops);
   HostSystem system(source, quiet());
-  std::size_t told[4] = {};
+  std::size_t reported[4] = {};
   Network network;
   int step = 0;
   network.tick = [&](TimeUs) { system.setRobotStatus(step++ == 1 ? orsbPAUSE : 0); };
   network.sends = [&](RadioPacket&) {
-    told[step - 1] = loops.reports.size();
+    reported[step - 1] = loops.reports.size();
     return false;
   };
   ASSERT_TRUE(system.run(agentStub(*object), network));
-  EXPECT_EQ(1U, told[0]) << "at the start it asks";
+  EXPECT_EQ(1U, reported[0]) << "at the start it asks";
   ASSERT_EQ(3U, loops.reports.size());
   EXPECT_FALSE(loops.reports[0].paused);
   EXPECT_FALSE(loops.reports[0].motorPower);
   EXPECT_TRUE(loops.reports[1].paused);
   EXPECT_TRUE(loops.reports[1].motorPower);
   EXPECT_FALSE(loops.reports[2].paused);
-  EXPECT_EQ(2U, told[1]);
-  EXPECT_EQ(3U, told[3]);
+  EXPECT_EQ(2U, reported[1]);
+  EXPECT_EQ(3U, reported[3]);
 }
 
 TEST(AgentTest, HoldsNoJointWithoutPowerAndNoneAfterItBeforeATargetWasTaken) {
@@ -340,7 +340,7 @@ class LoopsThatSoften : public FakeLoops {
   std::size_t messages_;
 };
 
-double legGainTold(LoopsThatSoften& loops) {
+double legGainSent(LoopsThatSoften& loops) {
   FakeSource source;
   source.addSensors(5);
   EXPECT_TRUE(runAgent(source, loops, quiet(), {}));
@@ -349,9 +349,9 @@ double legGainTold(LoopsThatSoften& loops) {
 
 TEST(AgentTest, SoftensTheLegsForAMotionAndGivesThemAllTheirGainBack) {
   LoopsThatSoften soft(5);
-  EXPECT_NEAR(legGainTold(soft), (8 * 11.0 / 28 + 4 * 8.0 / 20) / 12, 1e-12);
+  EXPECT_NEAR(legGainSent(soft), (8 * 11.0 / 28 + 4 * 8.0 / 20) / 12, 1e-12);
   LoopsThatSoften softUntilTheThird(3);
-  EXPECT_EQ(legGainTold(softUntilTheThird), 1.0);
+  EXPECT_EQ(legGainSent(softUntilTheThird), 1.0);
 }
 
 }  // namespace

@@ -51,12 +51,12 @@ TEST(Run, AMatchInTroubleIsTriedOnceMoreThenVoidAndTold) {
     if (match.red != "b" || match.blue != "c" || match.seed != 8) return RandomPlay{}(match);
     return troubled("try " + std::to_string(++tries));
   };
-  std::vector<std::string> told;
+  std::vector<std::string> reported;
   RunTalk talk;
-  talk.again = [&](std::size_t, const std::string& trouble) { told.push_back(trouble); };
+  talk.again = [&](std::size_t, const std::string& trouble) { reported.push_back(trouble); };
   const auto summary = runLeague(*journal, play, 3, talk);
   EXPECT_EQ(tries, 2);
-  EXPECT_EQ(told, std::vector<std::string>{"try 1"});
+  EXPECT_EQ(reported, std::vector<std::string>{"try 1"});
   EXPECT_EQ(summary->voids, 1U);
   const Standings standings = standingsOf({journal->plan(), journal->results()});
   ASSERT_EQ(standings.troubles.size(), 1U);

@@ -17,7 +17,7 @@ constexpr double kStep = 0.002;
 KickMapPlan tinyPlan() {
   KickMapPlan plan;
   plan.trials = 2;
-  plan.aside = 4.0;
+  plan.lateral = 4.0;
   plan.nearest = plan.furthest = 14.0;
   plan.step = 4.0;
   return plan;
@@ -44,7 +44,7 @@ KickCell goes(double share, double degrees, double distance) {
 KickGrid smallGrid() {
   KickGrid grid;
   grid.motion = MotionKind::upennLeft;
-  grid.aside = {2.0, 4.0, 6.0};
+  grid.lateral = {2.0, 4.0, 6.0};
   grid.ahead = {12.0, 14.0};
   grid.cells = {goes(1.0, 50.0, 200.0), goes(1.0, 40.0, 200.0), goes(0.5, 30.0, 100.0),
                 goes(1.0, 45.0, 200.0), goes(0.9, 41.0, 220.0), KickCell{}};
@@ -106,10 +106,10 @@ TEST(KickMap, BallInsideTheRobotDoesNotCount) {
 
 TEST(KickMap, IsEmptyWhenItWasInterrupted) {
   for (const int after : {3, 20}) {
-    int told = 0;
-    const auto stop = [&](std::size_t, std::size_t) { return ++told < after; };
+    int reported = 0;
+    const auto stop = [&](std::size_t, std::size_t) { return ++reported < after; };
     EXPECT_TRUE(learnKickMap(tinyPlan(), stop).empty());
-    EXPECT_LT(told, after + 20);
+    EXPECT_LT(reported, after + 20);
   }
 }
 
@@ -161,10 +161,10 @@ TEST(KickCell, OfAKickThatIsItsOwnMirrorImageIsMirrored) {
 
 TEST(KickWindow, HoldsThePlacesThatAreAlikeAndSure) {
   const KickWindow window = windowOf(smallGrid());
-  EXPECT_EQ(window.least.x, 2.0);
-  EXPECT_EQ(window.most.x, 4.0);
-  EXPECT_EQ(window.least.y, 12.0);
-  EXPECT_EQ(window.most.y, 14.0);
+  EXPECT_EQ(window.min.x, 2.0);
+  EXPECT_EQ(window.max.x, 4.0);
+  EXPECT_EQ(window.min.y, 12.0);
+  EXPECT_EQ(window.max.y, 14.0);
   EXPECT_NEAR(window.whole.direction.deg(), 44.0, 1e-6);
   EXPECT_NEAR(window.whole.went, 0.975, 1e-9);
   EXPECT_GT(window.whole.directionSd.deg(), 3.0);  // of each place, and between them
@@ -174,8 +174,8 @@ TEST(KickWindow, OfNothingSureIsOnePlace) {
   KickGrid grid = smallGrid();
   for (KickCell& cell : grid.cells) cell.went *= 0.5;
   const KickWindow window = windowOf(grid);
-  EXPECT_EQ(window.least.x, window.most.x);
-  EXPECT_EQ(window.least.y, window.most.y);
+  EXPECT_EQ(window.min.x, window.max.x);
+  EXPECT_EQ(window.min.y, window.max.y);
 }
 
 TEST(KickMapFile, IsReadAsItWasWritten) {
@@ -188,7 +188,7 @@ TEST(KickMapFile, IsReadAsItWasWritten) {
   ASSERT_EQ(map->size(), 1U);
   const KickGrid& read = map->front();
   EXPECT_EQ(read.motion, grid.motion);
-  EXPECT_EQ(read.aside, grid.aside);
+  EXPECT_EQ(read.lateral, grid.lateral);
   EXPECT_EQ(read.window.best.x, grid.window.best.x);
   EXPECT_NEAR(read.way.turn.deg(), 36.0, 1e-9);
   for (std::size_t i = 0; i < grid.cells.size(); ++i) {

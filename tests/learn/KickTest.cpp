@@ -71,14 +71,14 @@ TEST(Kick, FromACopyOfTheSameInstantIsTheSame) {
 
 TEST(KickGain, OfAKickAsideOfAFallAndOfAShortOneIsLess) {
   KickAim aim;
-  aim.least = Angle::deg(-5.0);
-  aim.most = Angle::deg(5.0);
+  aim.min = Angle::deg(-5.0);
+  aim.max = Angle::deg(5.0);
   const actuator::MotionData motion;
   const std::vector<Kicked> good(4, Kicked{100.0, {}, false, true, {}});
-  const std::vector<Kicked> aside(4, Kicked{100.0, Angle::deg(25.0), false, true, {}});
+  const std::vector<Kicked> lateral(4, Kicked{100.0, Angle::deg(25.0), false, true, {}});
   const std::vector<Kicked> fell(4, Kicked{100.0, {}, true, true, {}});
   const std::vector<Kicked> near(4, Kicked{40.0, {}, false, true, {}});
-  for (const auto& worse : {aside, fell, near})
+  for (const auto& worse : {lateral, fell, near})
     EXPECT_LT(gainOf(worse, aim, motion), gainOf(good, aim, motion) - 0.3);
 }
 

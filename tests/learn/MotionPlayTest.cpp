@@ -79,9 +79,9 @@ TEST(Block, ToOneSideReachesFurtherToItThanTheWideOne) {
 }
 
 TEST(Block, StopsABallThatPassesARobotThatStands) {
-  for (const double aside : {-15.0, 15.0}) {
-    EXPECT_TRUE(tryBlock(standing(MotionKind::block), aside, 100.0, {}).stopped);
-    EXPECT_FALSE(tryBlock(standing(MotionKind::stand), aside, 100.0, {}).stopped);
+  for (const double lateral : {-15.0, 15.0}) {
+    EXPECT_TRUE(tryBlock(standing(MotionKind::block), lateral, 100.0, {}).stopped);
+    EXPECT_FALSE(tryBlock(standing(MotionKind::stand), lateral, 100.0, {}).stopped);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "actuator/odometry/Told.h"
+#include "actuator/odometry/OdometryTerms.h"
 #include "actuator/walk/WalkSpeed.h"
 #include "robot/core/Random.h"
 #include "robot/core/parameters/ParameterFile.h"
@@ -44,7 +44,7 @@ TEST(WalkFit, FindsTheCurvesAndSharesThatMadeTheSamples) {
   c.turnPerLeft = {-0.01, 0.0};
   c.turnPerForwardLeft = 2e-4;
   Random random(4);
-  std::vector<WaySample> samples;
+  std::vector<PathSample> samples;
   for (int i = 0; i < 200; ++i) {
     const Velocity feet{random.uniform(-30, 35), random.uniform(-30, 30), random.uniform(-2, 2)};
     const Velocity joints{random.uniform(-30, 30), random.uniform(-30, 30), random.uniform(-2, 2)};
@@ -82,19 +82,19 @@ TEST(WalkFit, FindsTheCurvesAndSharesThatMadeTheSamples) {
 TEST(WalkFit, FindsTheSwayThatMadeTheSamples) {
   Random random(5);
   actuator::WalkSet set;
-  set.sway.tilt.turnWave = {0.05, -0.02};
-  set.sway.tilt.forward = -0.03;
-  set.sway.roll.stepWave = {0.01, 0.02};
-  set.sway.height.left = 0.2;
-  set.sway.turn.stepWave = {0.03, -0.01};
-  std::vector<SwaySample> samples;
+  set.oscillation.tilt.turnWave = {0.05, -0.02};
+  set.oscillation.tilt.forward = -0.03;
+  set.oscillation.roll.stepWave = {0.01, 0.02};
+  set.oscillation.height.left = 0.2;
+  set.oscillation.turn.stepWave = {0.03, -0.01};
+  std::vector<OscillationSample> samples;
   actuator::Swing last;
   for (int i = 0; i < 400; ++i) {
     const actuator::Stride stride{
         {random.uniform(-30, 30), random.uniform(-20, 20), random.uniform(-2, 2)},
         {random.uniform(0, 1), 1.0}};
-    const Stance stance = actuator::swaying({0.0, {}, {}}, stride, set);
-    SwaySample sample;
+    const Stance stance = actuator::oscillating({0.0, {}, {}}, stride, set);
+    OscillationSample sample;
     sample.stride = stride;
     sample.tilt = stance.bodyTilt.rad();
     sample.roll = stance.bodyRoll.rad();
@@ -105,15 +105,15 @@ TEST(WalkFit, FindsTheSwayThatMadeTheSamples) {
     last = swing;
     samples.push_back(sample);
   }
-  const actuator::WalkSway sway = fitSway(samples, {}, set.most);
-  EXPECT_NEAR(sway.tilt.turnWave.cosine, 0.05, 1e-9);
-  EXPECT_NEAR(sway.tilt.turnWave.sine, -0.02, 1e-9);
-  EXPECT_NEAR(sway.tilt.forward, -0.03, 1e-9);
-  EXPECT_NEAR(sway.roll.stepWave.sine, 0.02, 1e-9);
-  EXPECT_NEAR(sway.roll.step, 0.0, 1e-9);
-  EXPECT_NEAR(sway.height.left, 0.2, 1e-9);
-  EXPECT_NEAR(sway.turn.stepWave.cosine, 0.03, 1e-9);
-  EXPECT_NEAR(sway.turn.stepWave.sine, -0.01, 1e-9);
+  const actuator::WalkOscillation oscillation = fitOscillation(samples, {}, set.max);
+  EXPECT_NEAR(oscillation.tilt.turnWave.cosine, 0.05, 1e-9);
+  EXPECT_NEAR(oscillation.tilt.turnWave.sine, -0.02, 1e-9);
+  EXPECT_NEAR(oscillation.tilt.forward, -0.03, 1e-9);
+  EXPECT_NEAR(oscillation.roll.stepWave.sine, 0.02, 1e-9);
+  EXPECT_NEAR(oscillation.roll.step, 0.0, 1e-9);
+  EXPECT_NEAR(oscillation.height.left, 0.2, 1e-9);
+  EXPECT_NEAR(oscillation.turn.stepWave.cosine, 0.03, 1e-9);
+  EXPECT_NEAR(oscillation.turn.stepWave.sine, -0.01, 1e-9);
 }
 
 TEST(Gain, OfAWalkThatFallsOrDiffersBetweenModelsIsLess) {
@@ -140,17 +140,17 @@ TEST(NormalWalk, WalksInEachDirectionAndTellsHowFar) {
     command.walk = way;
     for (int i = 0; i < 40; ++i) walker.step(command);
     Walked real;
-    Walked told;
+    Walked reported;
     for (int i = 0; i < 60; ++i) {
       real += walkOn(walker, command);
       const Odometry& odometry = walker.output().odometry;
-      told += {odometry.forward, odometry.left, odometry.turn.rad()};
+      reported += {odometry.forward, odometry.left, odometry.turn.rad()};
     }
     const double seconds = 60 * 0.032;
     EXPECT_NEAR(real.forward / seconds, way.forward, 0.25 * std::fabs(way.forward) + 4.0);
     EXPECT_NEAR(real.left / seconds, way.left, 0.25 * std::fabs(way.left) + 4.0);
-    EXPECT_NEAR(told.forward, real.forward, 0.12 * std::fabs(real.forward) + 3.0);
-    EXPECT_NEAR(told.left, real.left, 0.12 * std::fabs(real.left) + 3.0);
+    EXPECT_NEAR(reported.forward, real.forward, 0.12 * std::fabs(real.forward) + 3.0);
+    EXPECT_NEAR(reported.left, real.left, 0.12 * std::fabs(real.left) + 3.0);
   }
   EXPECT_FALSE(walker.fallen());
 }

@@ -108,11 +108,11 @@ TEST(GameControlData, WithoutOneRedAndOneBlueTeamTheFirstIsBlueUntilItsNumberSay
   GameControlData bothRed = decodedWith(36, 1);
   EXPECT_EQ(bothRed.teams[0].colour, TeamColour::blue);
   EXPECT_EQ(bothRed.teams[1].colour, TeamColour::red);
-  EXPECT_FALSE(bothRed.coloursTold);
+  EXPECT_FALSE(bothRed.coloursGiven);
   const GameControlData black = decodedWith(36, 3);
-  EXPECT_TRUE(black.coloursTold && black.teams[0].colour == TeamColour::blue);
+  EXPECT_TRUE(black.coloursGiven && black.teams[0].colour == TeamColour::blue);
   const GameControlData againstBlack = decodedWith(80, 3);
-  EXPECT_TRUE(againstBlack.coloursTold && againstBlack.teams[1].colour == TeamColour::red);
+  EXPECT_TRUE(againstBlack.coloursGiven && againstBlack.teams[1].colour == TeamColour::red);
 }
 
 struct Wrong {

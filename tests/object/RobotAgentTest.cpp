@@ -34,13 +34,13 @@ TEST(RobotAgent, PlaysOverAGoodStickAsTheStickSays) {
 
 TEST(RobotAgent, ShowsThatItReadsThenThatPythonStartsThenThatItWaits) {
   const Played result = played(folderOf(stick::sampleTree(), "boot"));
-  std::vector<std::uint32_t> told;
+  std::vector<std::uint32_t> reported;
   for (const std::uint32_t leds : result.leds) {
     const std::uint32_t boot = leds & (body::kLightReading | body::kLightPython);
-    if (told.empty() || told.back() != boot) told.push_back(boot);
+    if (reported.empty() || reported.back() != boot) reported.push_back(boot);
   }
   const std::uint32_t both = body::kLightReading | body::kLightPython;
-  EXPECT_EQ(told, (std::vector<std::uint32_t>{0, body::kLightReading, both, 0}));
+  EXPECT_EQ(reported, (std::vector<std::uint32_t>{0, body::kLightReading, both, 0}));
 }
 
 struct Damage {

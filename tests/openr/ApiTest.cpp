@@ -111,9 +111,9 @@ TEST_F(ApiTest, WhoObservesThePowerIsToldOfEachChange) {
   system_.tellPower();
   ASSERT_EQ(1U, system_.posted.size());
   EXPECT_TRUE(system_.posted[0].to == entry);
-  const auto& told = std::get<OPowerStatusMessage>(system_.posted[0].message);
-  EXPECT_EQ(omsgPOWER_STATUS, told.msgType);
-  EXPECT_EQ(orsbPAUSE, told.powerStatus.robotStatus);
+  const auto& reported = std::get<OPowerStatusMessage>(system_.posted[0].message);
+  EXPECT_EQ(omsgPOWER_STATUS, reported.msgType);
+  EXPECT_EQ(orsbPAUSE, reported.powerStatus.robotStatus);
   ASSERT_EQ(oSUCCESS, OPENR::UnobservePowerStatus(entry));
   EXPECT_EQ(oNOT_FOUND, OPENR::UnobservePowerStatus(entry));
   system_.setRobotStatus(0);

@@ -110,9 +110,9 @@ RCRegion* vectorOf(RawPose pose, OpenedRobot& robot) {
 
 std::string whatIsDown(const std::array<double, 3>& acceleration) {
   const auto [forward, left, up] = acceleration;
-  const double most = std::fmax(std::fabs(forward), std::fmax(std::fabs(left), std::fabs(up)));
-  if (most == std::fabs(up)) return up > 0.0 ? "belly" : "back";
-  if (most == std::fabs(left)) return left > 0.0 ? "right side" : "left side";
+  const double max = std::fmax(std::fabs(forward), std::fmax(std::fabs(left), std::fabs(up)));
+  if (max == std::fabs(up)) return up > 0.0 ? "belly" : "back";
+  if (max == std::fabs(left)) return left > 0.0 ? "right side" : "left side";
   return forward > 0.0 ? "tail" : "nose";
 }
 
@@ -133,20 +133,20 @@ std::string howFallen(const SensorFrame& frame) {
 }
 
 std::string gaze(const JointAngles& joints) {
-  constexpr double kAside = 0.3;  // of a direction of length one
+  constexpr double kLateral = 0.3;  // of a direction of length one
   constexpr double kUp = 0.15;
   const CameraPose camera = body::cameraPose(joints, Stance{});
   const double right = camera.axes[2];
   const double up = camera.axes[8];
-  const std::string side = right > kAside ? "right" : right < -kAside ? "left" : "ahead";
+  const std::string side = right > kLateral ? "right" : right < -kLateral ? "left" : "ahead";
   return side + " and " + (up > kUp ? "up" : up < -kUp ? "down" : "level");
 }
 
 std::string tail(const JointAngles& joints) {
-  constexpr double kAside = 5.0;  // deg
-  constexpr double kMuch = 32.5;  // the middle of its range
+  constexpr double kLateral = 5.0;  // deg
+  constexpr double kMuch = 32.5;    // the middle of its range
   const double left = joints[Joint::tailPan].deg();
-  const std::string side = left > kAside ? "left" : left < -kAside ? "right" : "straight";
+  const std::string side = left > kLateral ? "left" : left < -kLateral ? "right" : "straight";
   return side + ", tilted " + (joints[Joint::tailTilt].deg() > kMuch ? "much" : "little");
 }
 

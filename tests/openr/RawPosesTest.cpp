@@ -114,12 +114,12 @@ TEST(RawPoses, DutyTurnsWithItsJoint) {
 TEST(RawPoses, TheStandInForTheRobotTellsThemSo) {
   constexpr std::size_t kFirstPressure = index(Sensor::headTouch);  // scaled by the stand-in
   for (const RawPose pose : kPoses) {
-    const host::RawSensors told = host::rawOf(sensedBy(robotSenses(), pose));
+    const host::RawSensors reported = host::rawOf(sensedBy(robotSenses(), pose));
     for (std::size_t i = 0; i < kJointCount; ++i)
-      EXPECT_NEAR(told.joints.value[i], rawValue(pose, kJointRows[i].locator), 1)
+      EXPECT_NEAR(reported.joints.value[i], rawValue(pose, kJointRows[i].locator), 1)
           << kJointRows[i].name;
     for (std::size_t i = 0; i < kFirstPressure; ++i)
-      EXPECT_NEAR(told.sensors[i], rawValue(pose, kSensorRows[i].locator), 1)
+      EXPECT_NEAR(reported.sensors[i], rawValue(pose, kSensorRows[i].locator), 1)
           << kSensorRows[i].name;
   }
 }
@@ -138,11 +138,11 @@ TEST(RawPoses, EveryValueIsOneThatARobotCanTell) {
   constexpr double kDegree = 17453.2925;  // urad
   for (std::size_t i = 0; i < kRawRowCount; ++i) {
     const bool joint = i < kJointCount;
-    const double least = joint ? kDegree * kJointRows[i].min : kSensorRows[i - kJointCount].min;
-    const double most = joint ? kDegree * kJointRows[i].max : kSensorRows[i - kJointCount].max;
+    const double min = joint ? kDegree * kJointRows[i].min : kSensorRows[i - kJointCount].min;
+    const double max = joint ? kDegree * kJointRows[i].max : kSensorRows[i - kJointCount].max;
     for (const slongword raw : kRawRows[i].value) {
-      EXPECT_GE(raw, least - 1.0) << kRawRows[i].locator;
-      EXPECT_LE(raw, most + 1.0) << kRawRows[i].locator;
+      EXPECT_GE(raw, min - 1.0) << kRawRows[i].locator;
+      EXPECT_LE(raw, max + 1.0) << kRawRows[i].locator;
     }
   }
 }

@@ -28,8 +28,8 @@ FREE = {kelpie.KICK_FORWARD: (0.0, 14.0, 2.5, 150.0, 0.0),
         kelpie.UPENN_LEFT: (6.0, 12.0, 3.5, 205.0, 42.0),
         kelpie.UPENN_RIGHT: (-6.0, 12.0, 3.5, 205.0, -42.0)}
 # A kick that is new goes where its own file says.
-FREE = {**{kick: (-told.place[1], told.place[0], 3.5, told.distance, 0.0)
-           for kick, told in kelpie.KICKS.items() if told.leaf}, **FREE}
+FREE = {**{kick: (-reported.place[1], reported.place[0], 3.5, reported.distance, 0.0)
+           for kick, reported in kelpie.KICKS.items() if reported.leaf}, **FREE}
 LASTS = {**{kick: 0.5 for kick in kelpie.KICKS}, **LASTS}
 HELD = {kelpie.HARD_FORWARD: (170.0, 0.0), kelpie.WEDGE: (125.0, 0.0),
         kelpie.HEAD_SWIPE_LEFT: (200.0, 75.0), kelpie.HEAD_SWIPE_RIGHT: (200.0, -75.0),
@@ -69,14 +69,14 @@ class IdealWorld:
         chain: facts-2005 section 2.2."""
         x, y = self.robot_frame(point)
         head = self.world.head
-        aside = math.degrees(math.atan2(-x, y)) - head.head_pan_deg
+        lateral = math.degrees(math.atan2(-x, y)) - head.head_pan_deg
         lean = math.radians(14.25 - head.neck_tilt_deg)
         down = math.radians(14.25 - head.neck_tilt_deg - head.head_nod_deg)
         ahead = 8.0 * math.sin(lean) + 8.1 * math.cos(down) - 1.46 * math.sin(down)
         above = 11.95 + 8.0 * math.cos(lean) - 8.1 * math.sin(down) - 1.46 * math.cos(down)
         along = math.hypot(x, y) - ahead
         pitch = math.degrees(math.atan2(above - height, along) - down)
-        return abs(aside) < HALF_WIDTH and abs(pitch) < HALF_HEIGHT
+        return abs(lateral) < HALF_WIDTH and abs(pitch) < HALF_HEIGHT
 
     def step(self, command):
         self.move_head(command.head)
@@ -152,8 +152,8 @@ class IdealWorld:
         if self.held:
             way = HELD.get(motion)
         elif motion in FREE:
-            right, ahead, most, *where = FREE[motion]
-            way = where if abs(x - right) < most and abs(y - ahead) < most else None
+            right, ahead, maximum, *where = FREE[motion]
+            way = where if abs(x - right) < maximum and abs(y - ahead) < maximum else None
         self.kicks += motion in FREE or motion in HELD
         if way is not None:
             self.held = False

@@ -55,8 +55,8 @@ class TeamWorld:
         unseen = made.ball.seconds_since_seen + FRAME_S
         believed = made.ball.position.x, made.ball.position.y
         put_ball(made, *self.ball)
-        aside = made.ball.heading_deg - made.head.head_pan_deg
-        if abs(aside) > VIEW or made.ball.distance > SIGHT:
+        lateral = made.ball.heading_deg - made.head.head_pan_deg
+        if abs(lateral) > VIEW or made.ball.distance > SIGHT:
             put_ball(made, *believed, seen=False)
             made.ball.seconds_since_seen = unseen
 
@@ -83,10 +83,10 @@ class TeamWorld:
 
 def mate_of(made, note):
     place = made.pose.position
-    told = kelpie.TeamNote(role=note.role, time_to_ball=note.time_to_ball, grabs=note.grabs,
+    reported = kelpie.TeamNote(role=note.role, time_to_ball=note.time_to_ball, grabs=note.grabs,
                            wants=note.wants, wanted=note.wanted, pass_to=note.pass_to)
     return kelpie.TeammateEstimate(
-        player=made.game.player, note=told, seconds_since_ball=made.ball.seconds_since_seen,
+        player=made.game.player, note=reported, seconds_since_ball=made.ball.seconds_since_seen,
         pose=kelpie.Pose2(position=kelpie.Point2(x=place.x, y=place.y),
                           heading_deg=made.pose.heading_deg))
 

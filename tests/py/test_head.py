@@ -8,11 +8,11 @@ from lib import head
 
 
 @pytest.mark.parametrize('distance', [14, 20, 30, 60, 120, 250])
-@pytest.mark.parametrize('aside', [-60, 0, 35])
-def test_looking_at_the_ball_brings_it_into_the_image(distance, aside):
+@pytest.mark.parametrize('lateral', [-60, 0, 35])
+def test_looking_at_the_ball_brings_it_into_the_image(distance, lateral):
     world = IdealWorld(1)
-    x = -distance * math.sin(math.radians(aside))
-    y = distance * math.cos(math.radians(aside))
+    x = -distance * math.sin(math.radians(lateral))
+    y = distance * math.cos(math.radians(lateral))
     request = head.look_at(x, y, 4.2, world.world.stance)
     for name in ('neck_tilt_deg', 'head_pan_deg', 'head_nod_deg'):
         setattr(world.world.head, name, getattr(request, name))

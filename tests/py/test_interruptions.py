@@ -105,9 +105,9 @@ def test_after_an_interruption_in_any_frame_a_forward_plays_like_a_new_one(why):
 def test_no_module_remembers_anything_from_one_player_to_the_next():
     def answers():
         random, player = RandomWorld(3), Forward()
-        command, told = kelpie.Command(), []
+        command, reported = kelpie.Command(), []
         for _ in range(300):
             command = player.step(random.next(command))
-            told.append(answer(command))
-        return told
+            reported.append(answer(command))
+        return reported
     assert answers() == answers()

@@ -114,15 +114,15 @@ def test_a_pose_without_a_landmark_is_lost_the_sooner_the_less_sure_it_is(sd, se
     assert lost == sorted(lost) and sum(lost) == pytest.approx(180 - 30 * seconds, abs=1)
 
 
-@pytest.mark.parametrize('weight, away, aside, is_torn', [
+@pytest.mark.parametrize('weight, away, lateral, is_torn', [
     (LIKELY - 0.01, BACK_CM + 1, 0.0, True), (LIKELY - 0.01, 0.0, BACK_DEG + 1, True),
     (LIKELY + 0.01, 100.0, 90.0, False), (0.4, BACK_CM - 1, BACK_DEG - 1, False)])
-def test_two_likely_modes_far_from_each_other_tear_the_pose(weight, away, aside, is_torn):
+def test_two_likely_modes_far_from_each_other_tear_the_pose(weight, away, lateral, is_torn):
     def mode(weight, x, heading):
         pose = kelpie.Pose2(position=kelpie.Point2(x=x, y=20.0), heading_deg=heading)
         return kelpie.PoseMode(weight=weight, pose=pose)
     world = kelpie.WorldFrame()
-    world.modes = [mode(weight, 180.0, 170.0), mode(1.0 - weight, 180.0 + away, 170.0 + aside)]
+    world.modes = [mode(weight, 180.0, 170.0), mode(1.0 - weight, 180.0 + away, 170.0 + lateral)]
     assert torn(world) is is_torn
 
 

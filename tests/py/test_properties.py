@@ -36,7 +36,7 @@ settings.register_profile('kelpie', max_examples=120, derandomize=True, deadline
                           database=None)
 settings.load_profile('kelpie')
 
-FREE_KICKS = [kick for kick, told in kelpie.KICKS.items() if told.leaf]
+FREE_KICKS = [kick for kick, reported in kelpie.KICKS.items() if reported.leaf]
 
 
 def numbers(low, high):
@@ -112,8 +112,8 @@ def test_the_map_names_the_mirrored_leaf_in_the_mirrored_world(place):
         situation, choice = Situation(made, False, False), LeafByMap()
         named.append(choice.choose(made, situation, tree.decide(situation)[0])[0])
         worths.append(choice.worths)
-    for way, worth in worths[0].items():
-        assert worth == approx(worths[1][other(way)], abs=1e-6)
+    for way, utility in worths[0].items():
+        assert utility == approx(worths[1][other(way)], abs=1e-6)
     best = sorted(worths[0].values())[-2:]
     if not worths[0] or best[1] - best[0] > 1e-6:
         assert named[1] == other(named[0])
@@ -147,8 +147,8 @@ def test_the_kick_by_rules_is_mirrored_with_what_is_known(pair):
 def test_a_kick_of_the_map_is_worth_the_same_mirrored(place, gap, turn):
     one, mirrored = both(place)
     for kick in (kelpie.HARD_FORWARD, kelpie.HEAD_SWIPE_LEFT, kelpie.UPENN_RIGHT):
-        assert kick_map_choice.worth_of(one, kick, gap, turn) == approx(
-            kick_map_choice.worth_of(mirrored, other_kick(kick), mirrored_gap(gap), -turn),
+        assert kick_map_choice.utility_of(one, kick, gap, turn) == approx(
+            kick_map_choice.utility_of(mirrored, other_kick(kick), mirrored_gap(gap), -turn),
             abs=1e-6)
 
 
@@ -184,10 +184,10 @@ def test_a_goalie_guards_mirrored_places(place):
 
 @given(numbers(-60, 60), numbers(0, 1.6), numbers(10, 300))
 def test_a_block_is_mirrored_with_the_shot_and_there_is_none_for_what_it_cannot_reach(
-        aside, seconds, speed):
-    one, mirrored = (block_for(Shot(sign * aside, seconds, 180.0, speed)) for sign in (1, -1))
+        lateral, seconds, speed):
+    one, mirrored = (block_for(Shot(sign * lateral, seconds, 180.0, speed)) for sign in (1, -1))
     assert mirrored == other_kick(one)
-    if abs(aside) > 40.0 or seconds > 1.0:
+    if abs(lateral) > 40.0 or seconds > 1.0:
         assert one == kelpie.NO_MOTION
 
 
@@ -199,9 +199,9 @@ anywhere = st.floats(-1e4, 1e4)
 @given(anywhere, anywhere, anywhere, st.tuples(anywhere, anywhere), st.booleans(), st.booleans())
 def test_the_tree_has_a_leaf_for_any_numbers(x, y, turned, ball, contested, about):
     made = world(x, y, turned, ball)
-    leaf, place, reason, *told = tree.decide(Situation(made, contested, about))
-    assert leaf in tree.LEAVES and reason.count('{}') == len(told) and len(reason) <= 80
-    assert all(math.isfinite(number) for number in told)
+    leaf, place, reason, *reported = tree.decide(Situation(made, contested, about))
+    assert leaf in tree.LEAVES and reason.count('{}') == len(reported) and len(reason) <= 80
+    assert all(math.isfinite(number) for number in reported)
 
 
 @given(anywhere, anywhere)
@@ -228,19 +228,19 @@ def test_who_is_out_of_time_always_has_a_kick_or_lets_go(place, gap, plan, kicks
     choice = HeldChoice(memory, Contested())
     skill = GrabDribble(memory, choice.choose, plan)
     skill.hold, skill.aim.gap = Held(made, made.time_s), gap
-    kick, reason, *told = choice.choose(made, skill, True)
+    kick, reason, *reported = choice.choose(made, skill, True)
     assert kick == kick_choice.RELEASE or kick in kick_choice.STRENGTH and isinstance(kick, int)
-    assert reason.count('{}') == len(told) <= 3 and len(reason) <= 80
+    assert reason.count('{}') == len(reported) <= 3 and len(reason) <= 80
 
 
 # More is never less
 
 @given(numbers(0.5, 40), degrees, numbers(0.05, 1), st.integers(0, 30))
-def test_a_nearer_ball_can_be_grabbed_where_a_farther_one_can(away, aside, share, turn_lost):
-    if can_grab(polar(away, aside), (0.0, 0.0), turn_lost):
-        assert can_grab(polar(share * away, aside), (0.0, 0.0), turn_lost)
-        assert can_grab(polar(away, aside), (0.0, 0.0), turn_lost + 100)
-        assert away < 13.5 and abs(aside) < 90.0
+def test_a_nearer_ball_can_be_grabbed_where_a_farther_one_can(away, lateral, share, turn_lost):
+    if can_grab(polar(away, lateral), (0.0, 0.0), turn_lost):
+        assert can_grab(polar(share * away, lateral), (0.0, 0.0), turn_lost)
+        assert can_grab(polar(away, lateral), (0.0, 0.0), turn_lost + 100)
+        assert away < 13.5 and abs(lateral) < 90.0
 
 
 @given(gaps, gaps)
@@ -274,7 +274,7 @@ def test_a_rolling_ball_is_met_on_its_way_and_never_behind_time(place, vx, vy):
 @given(st.floats(0, 500), st.floats(0, 600), st.floats(0, 180), st.floats(0, 50), degrees)
 def test_a_scan_is_within_the_neck_and_no_narrower_for_a_worse_belief(sd, away, pose, more, at):
     half = lost_ball.scan_half_width(sd, away, pose)
-    assert lost_ball.LEAST_SCAN <= half <= lost_ball.MOST_SCAN
+    assert lost_ball.MIN_SCAN <= half <= lost_ball.MAX_SCAN
     assert lost_ball.scan_half_width(sd + more, away, pose + more) >= half
     low, high = lost_ball.scan_limits(at, half)
     assert -lost_ball.MAX_PAN <= low <= high <= lost_ball.MAX_PAN
@@ -298,8 +298,8 @@ def test_a_ball_is_never_carried_farther_than_the_way_walked(steps):
 # Geometry that all of it stands on
 
 @given(numbers(0.5, 500), degrees)
-def test_polar_and_heading_are_inverse(away, aside):
-    assert heading(*polar(away, aside)) == approx(aside, abs=1e-6)
+def test_polar_and_heading_are_inverse(away, lateral):
+    assert heading(*polar(away, lateral)) == approx(lateral, abs=1e-6)
 
 
 @given(st.floats(-1e6, 1e6))

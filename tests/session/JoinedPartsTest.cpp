@@ -37,17 +37,17 @@ class JoinedParts : public LogFiles {
 };
 
 TEST_F(JoinedParts, WithoutForeignTopicsWhichAreTold) {
-  const Joined told = joined(false);
-  EXPECT_EQ(told.messages, 20U);
-  EXPECT_EQ(told.foreign, 10U);
-  EXPECT_EQ(told.messages, held());
+  const Joined reported = joined(false);
+  EXPECT_EQ(reported.messages, 20U);
+  EXPECT_EQ(reported.foreign, 10U);
+  EXPECT_EQ(reported.messages, held());
 }
 
 TEST_F(JoinedParts, OfAThinnedTruthTellOnlyWhatTheyHold) {
-  const Joined told = joined(true);
-  EXPECT_EQ(told.messages, 14U);
-  EXPECT_EQ(told.foreign, 10U);
-  EXPECT_EQ(told.messages, held());
+  const Joined reported = joined(true);
+  EXPECT_EQ(reported.messages, 14U);
+  EXPECT_EQ(reported.foreign, 10U);
+  EXPECT_EQ(reported.messages, held());
 }
 
 }  // namespace

@@ -35,16 +35,16 @@ SessionOptions withOpponent() {
 }
 
 TEST(Session, TheWorldWaitsForEveryRobot) {
-  const Workshop workshop;
-  EXPECT_EQ(valuesOf(worldCommand({}, workshop), "--robots"), Words{"1"});
-  EXPECT_EQ(valuesOf(worldCommand(withOpponent(), workshop), "--robots"), Words{"2"});
+  const RunDirectory runDirectory;
+  EXPECT_EQ(valuesOf(worldCommand({}, runDirectory), "--robots"), Words{"1"});
+  EXPECT_EQ(valuesOf(worldCommand(withOpponent(), runDirectory), "--robots"), Words{"2"});
 }
 
 TEST(Session, AnOpponentIsItsOwnAgentOnTheMatchsFieldWithoutLogOrStatus) {
-  const Workshop workshop;
+  const RunDirectory runDirectory;
   SessionOptions options = withOpponent();
   options.log = "match.mcap";
-  const Words argv = otherCommand(options, options.others[0], workshop);
+  const Words argv = otherCommand(options, options.others[0], runDirectory);
   EXPECT_EQ(valuesOf(argv, "--team"), Words{"blue"});
   EXPECT_EQ(valuesOf(argv, "--player"), Words{"2"});
   EXPECT_EQ(valuesOf(argv, "--pycode"), Words{"scripts"});
@@ -57,32 +57,32 @@ TEST(Session, AnOpponentIsItsOwnAgentOnTheMatchsFieldWithoutLogOrStatus) {
 }
 
 TEST(Session, TheWatchedRobotHasItsOwnParameters) {
-  const Workshop workshop;
-  const Words argv = agentCommand(withOpponent(), workshop);
+  const RunDirectory runDirectory;
+  const Words argv = agentCommand(withOpponent(), runDirectory);
   EXPECT_EQ(valuesOf(argv, "--set"), Words{"behaviour.task.grab=false"});
   EXPECT_EQ(valuesOf(argv, "--params"), Words{"own.toml"});
   EXPECT_TRUE(has(argv, "--status"));
 }
 
 TEST(Session, FramesAreKeptWithoutImagesUnlessALogIsWanted) {
-  const Workshop workshop;
+  const RunDirectory runDirectory;
   SessionOptions options;
-  EXPECT_FALSE(has(agentCommand(options, workshop), "--log"));
-  EXPECT_FALSE(has(worldCommand(options, workshop), "--truth"));
+  EXPECT_FALSE(has(agentCommand(options, runDirectory), "--log"));
+  EXPECT_FALSE(has(worldCommand(options, runDirectory), "--truth"));
   options.keepFrames = true;
-  EXPECT_TRUE(has(agentCommand(options, workshop), "--no-images"));
-  EXPECT_TRUE(has(worldCommand(options, workshop), "--truth"));
+  EXPECT_TRUE(has(agentCommand(options, runDirectory), "--no-images"));
+  EXPECT_TRUE(has(worldCommand(options, runDirectory), "--truth"));
   options.log = "match.mcap";
-  EXPECT_FALSE(has(agentCommand(options, workshop), "--no-images"));
+  EXPECT_FALSE(has(agentCommand(options, runDirectory), "--no-images"));
 }
 
 TEST(Session, WhatIsStagedIsToldToTheWorld) {
-  const Workshop workshop;
+  const RunDirectory runDirectory;
   SessionOptions options;
   options.staging.places = {{{TeamColour::red, 1}, {{180.0, 100.0}, Angle::deg(90.0)}}};
   options.staging.ball = sim::Ball{{20.0, 30.0}, {}};
   options.staging.throws = {{2.5, {{1.0, 2.0}, {3.0, 4.0}}, host::AgentHello{TeamColour::red, 1}}};
-  const Words argv = worldCommand(options, workshop);
+  const Words argv = worldCommand(options, runDirectory);
   EXPECT_EQ(valuesOf(argv, "--place"), Words{"red:1:180,100,90"});
   EXPECT_EQ(valuesOf(argv, "--ball"), Words{"20,30,0,0"});
   EXPECT_EQ(valuesOf(argv, "--throw"), Words{"2.5:1,2,3,4:red:1"});

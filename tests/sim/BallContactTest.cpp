@@ -70,12 +70,12 @@ std::vector<double> walkedInto(BodyKind kind, int balls) {
     command.walk.forward = random.uniform(15.0, 45.0);
     const Point2<Robot> place{random.uniform(-8.0, 8.0), random.uniform(16.0, 22.0)};
     body.world().bodies().putBall({fieldFromRobot(body.pose(), place), {}});
-    double most = 0.0;
+    double max = 0.0;
     for (int k = 0; k < 40; ++k) {
       body.step(command);
-      most = std::fmax(most, body.world().bodies().ball().velocity.norm());
+      max = std::fmax(max, body.world().bodies().ball().velocity.norm());
     }
-    speeds.push_back(most);
+    speeds.push_back(max);
   }
   return speeds;
 }

@@ -163,7 +163,7 @@ TEST(Camera, FewPixelsAreThreeLevelsOffThoseOfColumnsInManyParts) {
   few.artefacts.noise = false;
   CameraParams many = few;
   many.splits = 4;
-  many.mostSlope = 0.0;
+  many.maxSlope = 0.0;
   int off = 0;
   for (const double pan : {-40.0, 0.0, 40.0}) {
     const ColumnCameras columns = still(kPose, headAt(-10, pan, 5));

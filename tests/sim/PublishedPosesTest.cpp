@@ -142,7 +142,7 @@ bool liesBroad(const Lying& lying) {
          lying.paw[index(LegId::leftHind)] < 4.0 && lying.paw[index(LegId::rightHind)] < 4.0;
 }
 
-std::string told(const Lying& lying) {
+std::string reported(const Lying& lying) {
   std::string text = "shoulder " + std::to_string(lying.shoulder) + ", hip " +
                      std::to_string(lying.hip) + ", roll " + std::to_string(lying.roll) + ", paws";
   for (const double paw : lying.paw) text += " " + std::to_string(paw);
@@ -158,19 +158,19 @@ agent::Senses withHindLegsTurned() {
 
 TEST(PublishedPoses, TheAgentReadsADogThatSleeps) {
   const Lying lying = believed(readBy(agent::robotSenses(), kSleeping));
-  EXPECT_TRUE(sleeps(lying)) << told(lying);
+  EXPECT_TRUE(sleeps(lying)) << reported(lying);
 }
 
 TEST(PublishedPoses, TheAgentReadsABroadBase) {
   const Lying lying = believed(readBy(agent::robotSenses(), kBroadBase));
-  EXPECT_TRUE(liesBroad(lying)) << told(lying);
+  EXPECT_TRUE(liesBroad(lying)) << reported(lying);
 }
 
 TEST(PublishedPoses, SleepingLiesInTheWorldAsTheAgentReadsIt) {
   const JointAngles joints = readBy(agent::robotSenses(), kSleeping);
   const auto bodies = settled(sentBy(agent::robotSenses(), joints));
   const Lying lying = truth(*bodies);
-  EXPECT_TRUE(sleeps(lying)) << told(lying);
+  EXPECT_TRUE(sleeps(lying)) << reported(lying);
   EXPECT_NEAR(believed(joints).shoulder, lying.shoulder, 1.0);
   EXPECT_NEAR(believed(joints).hip, lying.hip, 1.0);
 }
@@ -179,7 +179,7 @@ TEST(PublishedPoses, TheBroadBaseLiesOnChestAndBellyInTheWorld) {
   const JointAngles joints = readBy(agent::robotSenses(), kBroadBase);
   const auto bodies = settled(sentBy(agent::robotSenses(), joints));
   const Lying lying = truth(*bodies);
-  EXPECT_TRUE(liesBroad(lying)) << told(lying);
+  EXPECT_TRUE(liesBroad(lying)) << reported(lying);
   for (std::size_t i = 0; i < kLegCount; ++i) {
     const auto leg = static_cast<LegId>(i);
     const Point3<Torso> foot =

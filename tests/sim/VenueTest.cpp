@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/bodies/Randomisation.h"
 #include "tools/sim/camera/Camera.h"
 
 namespace kelpie::sim {
@@ -130,10 +130,10 @@ TEST(Uniform, AFadedOneIsNearerToGreyAndAWornOneHasScuffs) {
   look.uniform = {0.4, 1.5, 0.0};
   setRobots(worn, {look});
   const auto reddest = [](const Scene& scene) {
-    float most = 0.0F;
+    float max = 0.0F;
     for (const Quad& quad : scene.robots[0].quads)
-      if (quad.depthBias == 2.0) most = std::max(most, quad.colour.cr);
-    return most;
+      if (quad.depthBias == 2.0) max = std::max(max, quad.colour.cr);
+    return max;
   };
   EXPECT_NEAR(static_cast<double>(reddest(fresh)), 165.0, 0.1);
   EXPECT_NEAR(static_cast<double>(reddest(worn)), 151.0, 0.1);

@@ -184,8 +184,8 @@ TEST(StickFolder, ARenameThatFailsFirstLeavesTheEarlierStickAndSaysSo) {
   const std::string root = mountedStick("first-rename");
   ASSERT_TRUE(writeFiles(sampleTree(), root, silently));
   const auto before = filesIn(root);
-  const std::string told = complaintOfRename(1, otherTree(), root);
-  EXPECT_NE(told.find("are as they were"), std::string::npos) << told;
+  const std::string reported = complaintOfRename(1, otherTree(), root);
+  EXPECT_NE(reported.find("are as they were"), std::string::npos) << reported;
   EXPECT_EQ(filesIn(root), before);
   EXPECT_TRUE(loadsAs(root, 3));
 }
@@ -204,8 +204,8 @@ TEST(StickFolder, ARenameThatFailsBeforeAFileIsReplacedTakesTheNewOnesAway) {
 TEST(StickFolder, ARenameThatFailsLaterLeavesAMixtureAndSaysSo) {
   const std::string root = mountedStick("late-rename");
   ASSERT_TRUE(writeFiles(sampleTree(), root, silently));
-  const std::string told = complaintOfRename(2, otherTree(), root);
-  EXPECT_NE(told.find("a mixture that no robot plays"), std::string::npos) << told;
+  const std::string reported = complaintOfRename(2, otherTree(), root);
+  EXPECT_NE(reported.find("a mixture that no robot plays"), std::string::npos) << reported;
   EXPECT_FALSE(loadsAs(root, 3) || loadsAs(root, 1));
   ASSERT_TRUE(writeFiles(otherTree(), root, silently));
   EXPECT_TRUE(loadsAs(root, 1));

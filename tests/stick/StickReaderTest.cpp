@@ -86,13 +86,13 @@ class CountedFiles : public TreeFiles {
     const std::int32_t got = TreeFiles::read(to, count);
     ++reads;
     bytes += static_cast<std::size_t>(got);
-    least = std::min(least, count);
+    min = std::min(min, count);
     return got;
   }
   std::map<std::string, int> opened;
   std::size_t reads = 0;
   std::size_t bytes = 0;
-  std::size_t least = kBlockBytes;
+  std::size_t min = kBlockBytes;
 };
 
 TEST(StickReader, ReadsEachFileOnceInLargeBlocks) {
@@ -109,7 +109,7 @@ TEST(StickReader, ReadsEachFileOnceInLargeBlocks) {
     blocks += file.bytes.size() / kBlockBytes + 1;  // the last is not full, which tells the end
   }
   EXPECT_EQ(files.opened.size(), tree->size());
-  EXPECT_EQ(files.least, kBlockBytes);
+  EXPECT_EQ(files.min, kBlockBytes);
   EXPECT_EQ(files.reads, blocks);
   EXPECT_LE(files.reads, 45U) << "of 2 MB";
   EXPECT_EQ(files.bytes, bytesOf(*tree));

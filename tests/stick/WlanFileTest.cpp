@@ -34,9 +34,9 @@ TEST(WlanFile, NamesLineAndKeyOfAWrongValueButNeverTheValue) {
   for (const auto* line : {"WEPKEY=hush!hush!", "WEPKEY=0xhushhushhu", "ETHER_IP=10.0.hush",
                            "APMODE=hush", "CHANNEL=12hush", "hush", "hush=HUSH", "WEPKEY hush",
                            "1HUSH=hush", "WEP KEY=hush", "SSDP_ENABLE=\"hush"}) {
-    const std::string told = complaint(std::string("ESSID=a\n") + line + "\n");
-    EXPECT_NE(told.find("keys.txt:2: "), std::string::npos) << told;
-    EXPECT_EQ(told.find("hush"), std::string::npos) << told;
+    const std::string reported = complaint(std::string("ESSID=a\n") + line + "\n");
+    EXPECT_NE(reported.find("keys.txt:2: "), std::string::npos) << reported;
+    EXPECT_EQ(reported.find("hush"), std::string::npos) << reported;
   }
 }
 
@@ -46,8 +46,8 @@ TEST(WlanFile, RefusesWhatNoRobotCanUse) {
         "ETHER_IP=255.255.255.255", "ETHER_IP=010.0.1.3", "ETHER_NETMASK=255.0.255.0",
         "ETHER_NETMASK=0.0.0.0", "ESSID=four # legged", "ESSID=four\x1blegged", "ESSID=\"four\"",
         "HOSTNAME=two words", "DNS_DEFDNAME=a;b"}) {
-    const std::string told = complaint(std::string("# first\n") + line + "\n");
-    EXPECT_NE(told.find("keys.txt:2: "), std::string::npos) << line << ": " << told;
+    const std::string reported = complaint(std::string("# first\n") + line + "\n");
+    EXPECT_NE(reported.find("keys.txt:2: "), std::string::npos) << line << ": " << reported;
   }
   EXPECT_NE(complaint(std::string(kGood) + "HOSTNAME=" + std::string(64, 'a')).find("HOSTNAME"),
             std::string::npos);

@@ -51,7 +51,7 @@ mipsel-linux-gnu-objcopy --strip-symbol=_gp --add-symbol=_gp=0x$pointer agent.bi
 STRIP = 'mipsel-linux-gnu-strip --strip-debug "$1"'
 PRINTS = """
 #include <iostream>
-inline void kelpieTold(int count) { std::cout << "regions " << long(count) << std::endl; }
+inline void kelpieCounted(int count) { std::cout << "regions " << long(count) << std::endl; }
 inline void kelpieFailed(const void* at) { std::cerr << "failed at " << at << std::endl; }
 """
 
@@ -198,13 +198,13 @@ def test_emon_names_the_function_that_the_map_of_the_link_has_at_the_address(mad
     text = (made / "agent.map").read_text()
     moved = 0x22400000 - 0x400000
     pointer = address_in_map(text, "_gp") + moved
-    for name, told in (("_ZN6kelpie5agent5Agent12NotifySensorERK12ONotifyEvent",
+    for name, reported in (("_ZN6kelpie5agent5Agent12NotifySensorERK12ONotifyEvent",
                         "kelpie::agent::Agent::NotifySensor(ONotifyEvent const&) ("),
                        ("floor", "floor (")):
         counter = address_in_map(text, name) + moved + 8
         done = emon(made, counter, pointer, made / "agent.nosnap.elf")
         assert done.returncode == 0, done.stderr
-        assert f"\ndied in    {told}" in done.stdout
+        assert f"\ndied in    {reported}" in done.stdout
         assert f"loaded {moved:#010x} above its linked address\n" in done.stdout
 
 

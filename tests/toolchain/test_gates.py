@@ -20,7 +20,7 @@ def assembled(folder, words, level):
     return compiled(folder, source, suffix="s")
 
 
-@pytest.mark.parametrize("level, text, told", [
+@pytest.mark.parametrize("level, text, reported", [
     ("mips3", "round.l.d $f0, $f2", "round.l.d"),
     ("mips3", "cvt.l.d $f0, $f2", "cvt.l.d"),
     ("mips4", "c.lt.d $fcc1, $f0, $f2", "a comparison.d with a condition other than $fcc0"),
@@ -41,9 +41,9 @@ def assembled(folder, words, level):
     ("mips32r2", "rotrv $2, $3, $4", "SPECIAL function 0x06 with a field that is not 0"),
     ("mips32r2", "mfhc1 $2, $f2", "function 0x00 of format 0x03"),
     ("mips2", ".word 0x46031040", "floating point arithmetic with an odd register")])
-def test_word_that_is_no_instruction_of_the_object_is_refused(tmp_path, level, text, told):
+def test_word_that_is_no_instruction_of_the_object_is_refused(tmp_path, level, text, reported):
     found = refusal(assembled(tmp_path, text, level))
-    assert found == {"instruction_set": [f"root has 1 instructions beyond MIPS II: {told}"]}
+    assert found == {"instruction_set": [f"root has 1 instructions beyond MIPS II: {reported}"]}
 
 
 # One of each instruction that the tables have, but for jumps and branches.
@@ -102,7 +102,7 @@ def test_memory_without_a_section_counts_too(tmp_path, section):
     assert re.match(r"takes 2152\d{5} bytes", found["memory"][0])
 
 
-@pytest.mark.parametrize("source, told", [
+@pytest.mark.parametrize("source, reported", [
     ('extern "C" void* fopen(const char*, const char*); void* file = fopen("/MS/A.TXT", "r"); '
      'extern "C" void* root() { return file; }', "reaches a file or a stream (fopen)"),
     ('extern "C" void* fopen(const char*, const char*); __attribute__((noinline)) static void* '
@@ -114,9 +114,9 @@ def test_memory_without_a_section_counts_too(tmp_path, section):
     ('#include <fstream>\nstd::ofstream file("/MS/A.TXT"); '
      'extern "C" void* root() { return &file; }',
      "basic_ofstream")])
-def test_static_constructor_that_reaches_a_file_or_a_stream_is_refused(tmp_path, source, told):
+def test_static_constructor_that_reaches_a_file_or_a_stream_is_refused(tmp_path, source, reported):
     found = refusal(compiled(tmp_path, source, "-std=c++17"))
-    assert any("static constructor _GLOBAL__sub_I" in line and told in line
+    assert any("static constructor _GLOBAL__sub_I" in line and reported in line
                for line in found["constructors"])
 
 
@@ -192,10 +192,10 @@ def test_constructors_run_by_their_priorities(tmp_path):
         "_GLOBAL__sub_I.00101", "_GLOBAL__sub_I.00300", "_GLOBAL__sub_I_own.c"]
 
 
-@pytest.mark.parametrize("order, told", [
+@pytest.mark.parametrize("order, reported", [
     ("KEEP(*(SORT(.init_array.*))) KEEP(*(.init_array))", [(300, 101), (65535, 300)]),
     ("KEEP(*(.init_array)) KEEP(*(SORT(.init_array.*)))", [(300, 101)])])
-def test_constructors_in_another_order_are_refused(tmp_path, order, told):
+def test_constructors_in_another_order_are_refused(tmp_path, order, reported):
     compiled(tmp_path, PRIORITIES)
     text = (TOOLCHAIN / "openr/object.ld").read_text()
     (tmp_path / "other.ld").write_text(
@@ -203,7 +203,7 @@ def test_constructors_in_another_order_are_refused(tmp_path, order, told):
     found = refusal(linked(tmp_path, tmp_path / "other.ld"))
     lines = "\n".join(found.pop("constructor_order"))
     runs = re.findall(r"of priority (\d+) before \S+ of priority (\d+)", lines)
-    assert not found and [(int(sooner), int(later)) for sooner, later in runs] == told
+    assert not found and [(int(sooner), int(later)) for sooner, later in runs] == reported
 
 
 def test_constructors_in_a_table_that_nobody_runs_are_refused(tmp_path):

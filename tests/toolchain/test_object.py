@@ -479,10 +479,10 @@ def test_64_bit_integers_are_those_of_the_pc(machine):
 
 
 def test_fmin_and_fmax_pass_over_what_is_no_number(machine):
-    for x, y, least, most in ((1.0, 2.0, 1.0, 2.0), (math.nan, 2.0, 2.0, 2.0),
+    for x, y, minimum, maximum in ((1.0, 2.0, 1.0, 2.0), (math.nan, 2.0, 2.0, 2.0),
                               (-3.0, math.nan, -3.0, -3.0), (-1.0, -2.0, -2.0, -1.0)):
         made = maths(machine, x, y)
-        assert (made["fmin"], made["fmax"]) == (bits(least), bits(most))
+        assert (made["fmin"], made["fmax"]) == (bits(minimum), bits(maximum))
 
 
 @pytest.mark.parametrize("given", ["xyz", "a text that is longer than sixteen bytes", "q" * 3000])

@@ -63,11 +63,11 @@ def test_a_ring_table_worse_than_none_is_written_with_a_warning_of_levels(tmp_pa
     table = tmp_path / "ring.kt"
     result = kelpie("calibrate", "ring", tmp_path, "--surface", "--prior", "5", "--out", table)
     assert result.returncode == 0, result.stderr
-    told = complaint(result)
-    assert told.startswith("kelpie: warning: the sheets look less even than before")
+    reported = complaint(result)
+    assert reported.startswith("kelpie: warning: the sheets look less even than before")
     for channel in ("Y 1", "Cr 1", "Cb 4"):
-        assert channel in told
-    assert "2006: " in told and "none: 0." in told and result.stderr.count("\n") == 1
+        assert channel in reported
+    assert "2006: " in reported and "none: 0." in reported and result.stderr.count("\n") == 1
     assert "less even than before" in kelpie("calibrate", "show", table).stdout
 
 
@@ -79,7 +79,7 @@ def test_three_busy_frames_teach_a_worse_table_than_2006_and_it_is_told(tmp_path
     assert "Y 13." in complaint(result) and "2006: 10." in complaint(result)
 
 
-@pytest.mark.parametrize("words, told", [
+@pytest.mark.parametrize("words, reported", [
     (("ring", "2006", "--surface"), "2006: is a table: --surface and --prior are for images"),
     (("ring", "none", "--prior", "0.1"), "none: is a table: --surface and --prior are for images"),
     (("ring", "2006", "--prior", "0"), "2006: is a table: --surface and --prior are for images"),
@@ -87,10 +87,10 @@ def test_three_busy_frames_teach_a_worse_table_than_2006_and_it_is_told(tmp_path
     (("colour", "nominal", "--seed", "3"), "--seed: only for labelled pixels"),
     (("colour", "labels.csv", "--ring", "none"), "--ring: only for a .txt of boxes"),
 ])
-def test_an_option_without_effect_is_refused(words, told, tmp_path):
+def test_an_option_without_effect_is_refused(words, reported, tmp_path):
     result = kelpie("calibrate", *words, "--out", tmp_path / "t.kt")
     assert result.returncode == 2
-    assert told in complaint(result)
+    assert reported in complaint(result)
     assert not list(tmp_path.iterdir())
 
 
@@ -153,18 +153,18 @@ SHIFT = ("date,dog,mac_low4,base_dog,paper,y_dog,y_base_mean,u_dog,u_base_mean,v
          "2005-07-12,r1,c6240000,b1,white,150,157.2,128,127.1,126,128.4\n")
 
 
-@pytest.mark.parametrize("text, told", [
+@pytest.mark.parametrize("text, reported", [
     (SHIFT + SHIFT.splitlines()[1].replace(".", ","), f":3: 14 columns, expected 11; "),
     (SHIFT + SHIFT.splitlines()[1].replace(",", ";").replace(".", ","), ":3: 4 columns"),
     (SHIFT.replace("157.2", '"157,2"'), ":2: 12 columns, expected 11; "),
 ])
-def test_a_decimal_comma_is_told_with_its_line_and_what_to_write(text, told, tmp_path):
+def test_a_decimal_comma_is_told_with_its_line_and_what_to_write(text, reported, tmp_path):
     sheet = tmp_path / "pairs.csv"
     sheet.write_text(text)
     for words in (("shift", sheet), ("ring", "none", "--shift", sheet, "--robot", "r1", "--out",
                                      tmp_path / "x.kt")):
         line = complaint(kelpie("calibrate", *words))
-        assert f"pairs.csv{told}" in line and POINT in line
+        assert f"pairs.csv{reported}" in line and POINT in line
 
 
 def test_a_sheet_of_semicolons_is_told_at_its_header(tmp_path):

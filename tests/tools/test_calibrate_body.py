@@ -15,7 +15,7 @@ def stand(tmp_path_factory):
     """A robot with a body unlike its parameters that stands and looks round."""
     out = tmp_path_factory.mktemp("stand")
     result = kelpie("play", "--fast", "--pycode", LOOKING, "--seconds", "14", "--seed", "3",
-                    "--unlike", "5", "--unlike-only", "lens", "body", "--images", "all",
+                    "--randomise", "5", "--randomise-only", "lens", "body", "--images", "all",
                     "--no-film", "--out", out)
     assert (out / "match.mcap").exists(), result.stderr
     return out / "match.mcap"
@@ -62,8 +62,9 @@ def test_measured_sizes_tell_the_focal_length_of_2005(tmp_path):
     params = tmp_path / "lens.toml"
     result = kelpie("calibrate", "body", SIZES, "--out", params)
     assert result.returncode == 0, result.stderr
-    told = [line for line in result.stdout.splitlines() if line.startswith("lens.focalLength")][0]
-    value, sd = float(told.split()[1]), float(told.split()[3])
+    lines = result.stdout.splitlines()
+    focal = [line for line in lines if line.startswith("lens.focalLength")][0]
+    value, sd = float(focal.split()[1]), float(focal.split()[3])
     assert abs(value - 201.5) < sd < 4.0
     assert "[body.lens]\nfocalLength = \"20" in params.read_text()
     result = kelpie("calibrate", "body", SIZES, "--picture", tmp_path / "p.png")

@@ -74,9 +74,9 @@ def test_the_experiment_judges_what_the_behaviours_read(tmp_path, kick_table):
     assert {row["from"] for row in rows} == {0, 1, 2}
     for row in rows:
         kick, how = int(row["motion"]), row["from"]
-        told = kick_table.held_outcome(kick) if how == 2 else kick_table.outcome(
+        reported = kick_table.held_outcome(kick) if how == 2 else kick_table.outcome(
             kick, row["x_cm"], row["y_cm"], walking=how == 1)
-        assert told[0] == pytest.approx(row["chance"], abs=1e-4)
-        if told[0] > 0:
-            assert told[1] == pytest.approx(row["said_deg"], abs=0.01)
-            assert told[3] == pytest.approx(row["said_cm"], abs=0.01)
+        assert reported[0] == pytest.approx(row["chance"], abs=1e-4)
+        if reported[0] > 0:
+            assert reported[1] == pytest.approx(row["said_deg"], abs=0.01)
+            assert reported[3] == pytest.approx(row["said_cm"], abs=0.01)

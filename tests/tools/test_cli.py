@@ -26,7 +26,7 @@ def test_unknown_command_is_a_usage_error():
     assert kelpie("dance").returncode == 2
 
 
-@pytest.mark.parametrize("words, told", [
+@pytest.mark.parametrize("words, reported", [
     (["plai"], "'plai' is not known; `kelpie --help`"),
     (["replay", "--chek"], "'--chek' is not known; `kelpie replay --help`"),
     (["play", "--seed", "abc"], "--seed: abc is not a number"),
@@ -34,10 +34,10 @@ def test_unknown_command_is_a_usage_error():
     (["calibrate", "ring", "2006", "--out", "x", "--prior", "nan"], "nan is not a number"),
     (["replay"], "LOG is required; `kelpie replay --help`"),
 ])
-def test_a_mistyped_command_line_is_one_line_that_names_the_word(words, told):
+def test_a_mistyped_command_line_is_one_line_that_names_the_word(words, reported):
     result = kelpie(*words)
     assert result.returncode == 2
-    assert told in complaint(result) and result.stderr.count("\n") == 1
+    assert reported in complaint(result) and result.stderr.count("\n") == 1
 
 
 @pytest.mark.parametrize("words", [["kelpie-agent", "--socket", "s", "--seed", "-1"],
@@ -79,7 +79,7 @@ def test_the_body_walks_as_its_odometry_says_and_kicks_straight(tmp_path):
     for way in ("forward", "back", "side", "turn"):
         assert 0.95 < values[f"{way}_ratio"] < 1.05
     assert values["kick_mean_cm"] > 80
-    assert values["kick_aside_deg"] < 25  # of a ball 0.8 cm aside 6, and three sd of the map
+    assert values["kick_bearing_deg"] < 25  # of a ball 0.8 cm aside 6, and three sd of the map
 
 
 def test_the_playing_robot_knows_its_place(tmp_path):
@@ -238,10 +238,10 @@ def test_numbers_are_as_short_as_they_read_back(match, tmp_path):
     """0.7 deg squared as radians are 0.49000000000000005 deg2 again, by double's last digit."""
     text = kelpie("replay", match, "--jsonl", "-").stdout
     lines = [json.loads(line, parse_float=str) for line in text.splitlines()]
-    told = [number for line in lines for number in numbers_of(line)]
-    assert len(told) > 1000
-    assert all(number == repr(float(number)) for number in told if "e" not in number)
-    assert "0.49" in told and "0.49000000000000005" not in told
+    reported = [number for line in lines for number in numbers_of(line)]
+    assert len(reported) > 1000
+    assert all(number == repr(float(number)) for number in reported if "e" not in number)
+    assert "0.49" in reported and "0.49000000000000005" not in reported
 
 
 def test_a_recording_through_the_openr_services_gives_the_same_frames(match, tmp_path):

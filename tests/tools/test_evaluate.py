@@ -10,10 +10,10 @@ from conftest import ROOT, complaint, kelpie
 
 @pytest.mark.parametrize("words, refused, known", [
     (["ball", "--params", "CMakeLists.txt"], "--params", "--trials, --seed, --json"),
-    (["team-ball", "--unlike", "3"], "--unlike", "--trials, --seed, --json"),
+    (["team-ball", "--randomise", "3"], "--randomise", "--trials, --seed, --json"),
     (["kidnap", "--pictures", "."], "--pictures",
-     "--seed, --unlike, --params, --traces, --fast, --json"),
-    (["objects", "--traces", "."], "--traces", "--trials, --seed, --unlike, --pictures, --json"),
+     "--seed, --randomise, --params, --traces, --fast, --json"),
+    (["objects", "--traces", "."], "--traces", "--trials, --seed, --randomise, --pictures, --json"),
     (["walk-and-kick", "--trials", "1"], "--trials", "--seed, --json"),
     (["distances", "--seed", "1"], "--seed", "knows --json"),
 ])

@@ -82,8 +82,8 @@ def wait_until_heard(play, lines):
 
 
 def games(log):
-    told = kelpie("replay", log, "--jsonl", "-").stdout
-    return [json.loads(line)["game"] for line in told.splitlines()]
+    reported = kelpie("replay", log, "--jsonl", "-").stdout
+    return [json.loads(line)["game"] for line in reported.splitlines()]
 
 
 def in_order(games, key):
@@ -138,9 +138,9 @@ def test_what_is_no_packet_is_told_once_and_changes_nothing(team, tmp_path, port
                 sender.sendto(packet, ("127.0.0.1", port))
             time.sleep(0.05)
     lines = play.communicate()[1].splitlines()
-    told = [line for line in lines if "is not used" in line]
+    reported = [line for line in lines if "is not used" in line]
     plays = "Kelpie plays version 4 (120 bytes), 8 (158 bytes), 18 (118 bytes)"
-    assert [line.split("is not used: ")[1] for line in told] == [
+    assert [line.split("is not used: ")[1] for line in reported] == [
         f"its header; {plays}", f"heard version 12, 58 bytes; {plays}",
         f"heard version 10, 256 bytes or more; {plays}", f"heard version 4, 119 bytes; {plays}"]
     assert in_order(games(tmp_path / "out/match.mcap"), "state") == ["initial"]
@@ -239,8 +239,8 @@ def test_an_agent_hears_a_controller_by_itself_and_counts_what_is_not_its(tmp_pa
     assert agent.wait(timeout=60) == 0 and world.wait(timeout=60) == 0
     controller.over.set()
     others.over.set()
-    told = kelpie("replay", tmp_path / "agent.mcap", "--jsonl", "-").stdout.splitlines()
-    frames = [json.loads(line) for line in told]
+    reported = kelpie("replay", tmp_path / "agent.mcap", "--jsonl", "-").stdout.splitlines()
+    frames = [json.loads(line) for line in reported]
     assert in_order([frame["game"] for frame in frames], "state")[-1] == "set"
     assert "finished" not in {frame["game"]["state"] for frame in frames}
     assert set(frames[-1]["control_refused"]) == {"foreign"}

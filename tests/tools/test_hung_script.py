@@ -41,8 +41,8 @@ def played(folder, out, *words):
 
 
 def commands(log):
-    told = kelpie("replay", log, "--jsonl", "-").stdout
-    return [json.loads(line)["command"] for line in told.splitlines()]
+    reported = kelpie("replay", log, "--jsonl", "-").stdout
+    return [json.loads(line)["command"] for line in reported.splitlines()]
 
 
 def test_a_robot_whose_script_does_not_come_back_is_started_into_the_match_again(scripts, tmp_path):
@@ -86,11 +86,11 @@ def test_a_script_that_eats_memory_is_told_once_and_the_robot_stands(scripts, tm
     result = played(folder, tmp_path / "out")
     assert "(seed 1, 4.0 simulated seconds" in result.stdout, result.stderr
     assert result.stderr.count("main.py:5: MemoryError: it takes more memory") == 1, result.stderr
-    told = commands(tmp_path / "out/match.mcap")
-    failed = [command for command in told if command["fallback"] == 2]
+    reported = commands(tmp_path / "out/match.mcap")
+    failed = [command for command in reported if command["fallback"] == 2]
     assert 25 <= len(failed) <= 31 and all(row["walk"]["forward_cm_s"] == 0.0 for row in failed)
-    walked = [command for command in told if command["walk"]["forward_cm_s"] == 7.0]
-    assert len(walked) == len(told) - len(failed)
+    walked = [command for command in reported if command["walk"]["forward_cm_s"] == 7.0]
+    assert len(walked) == len(reported) - len(failed)
 
 
 def test_what_a_script_prints_is_shown_ten_lines_a_second(scripts, tmp_path):

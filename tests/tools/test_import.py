@@ -112,16 +112,16 @@ def test_a_reddish_picture_is_bright_in_the_second_plane(tmp_path):
 
 
 def test_all_complaints_about_a_header_come_at_once(tmp_path):
-    told = refusal_of_table(tmp_path, "t,head_pan_deg,head_pan_deg,neck\n0,1,2,3\n")
-    assert "sensors.csv:1: missing t_s, neck_tilt_deg, head_nod_deg" in told
-    assert "unknown 't', 'neck'" in told and "more than once head_pan_deg" in told
-    assert "the header must be " + HEADER in told
+    reported = refusal_of_table(tmp_path, "t,head_pan_deg,head_pan_deg,neck\n0,1,2,3\n")
+    assert "sensors.csv:1: missing t_s, neck_tilt_deg, head_nod_deg" in reported
+    assert "unknown 't', 'neck'" in reported and "more than once head_pan_deg" in reported
+    assert "the header must be " + HEADER in reported
 
 
 def test_columns_in_another_order_are_told_as_such(tmp_path):
     columns = HEADER.split(",")
-    told = refusal_of_table(tmp_path, ",".join([*columns[1:], columns[0]]) + "\n")
-    assert "sensors.csv:1: the columns are in the wrong order" in told
+    reported = refusal_of_table(tmp_path, ",".join([*columns[1:], columns[0]]) + "\n")
+    assert "sensors.csv:1: the columns are in the wrong order" in reported
 
 
 def test_an_empty_table_is_a_missing_header(tmp_path):
@@ -131,7 +131,7 @@ def test_an_empty_table_is_a_missing_header(tmp_path):
 GOOD = "{},-20,0,0,14.25,100,0,0,0"
 
 
-@pytest.mark.parametrize("row, told", [
+@pytest.mark.parametrize("row, reported", [
     ("0.0334,1e308,0,0,14.25,100,0,0,0", "neck_tilt_deg: 1e+308, expected angles in -360..360"),
     ("0.0334,-20,oops,0,14.25,100,0,0,0", "head_pan_deg: 'oops' is not a number"),
     ("0.0334,-20,,0,14.25,100,0,0,0", "head_pan_deg: '' is not a number"),
@@ -142,9 +142,9 @@ GOOD = "{},-20,0,0,14.25,100,0,0,0"
     ("0.0044,-20,85,0,14.25,100,0,0,0", "headRate.headPan"),
     ("99,-20,0,0,14.25,100,0,0,0", "elapsed"),
 ])
-def test_rows_that_no_robot_could_give_are_named(tmp_path, row, told):
+def test_rows_that_no_robot_could_give_are_named(tmp_path, row, reported):
     line = refusal_of_table(tmp_path, "\n".join([HEADER, GOOD.format(0), row]) + "\n")
-    assert told in line and "sensors.csv:3:" in line and "more" not in line
+    assert reported in line and "sensors.csv:3:" in line and "more" not in line
 
 
 def test_the_first_wrong_row_is_named_and_the_others_are_counted(tmp_path):
@@ -152,10 +152,10 @@ def test_the_first_wrong_row_is_named_and_the_others_are_counted(tmp_path):
     for wrong in (2, 5):
         rows[wrong] = rows[wrong].replace("-20", "down")
     text = "\n".join([HEADER, *rows]) + "\n"
-    told = refusal_of_table(tmp_path, text, 8)
-    assert told.endswith("'down' is not a number; 1 more row is wrong")
-    told = refusal_of_table(tmp_path / "b", text + "wrong too\n", 8)
-    assert "sensors.csv:4:" in told and told.endswith("; 2 more rows are wrong")
+    reported = refusal_of_table(tmp_path, text, 8)
+    assert reported.endswith("'down' is not a number; 1 more row is wrong")
+    reported = refusal_of_table(tmp_path / "b", text + "wrong too\n", 8)
+    assert "sensors.csv:4:" in reported and reported.endswith("; 2 more rows are wrong")
 
 
 def test_blanks_a_mark_and_carriage_returns_do_no_harm(tmp_path):
@@ -168,15 +168,15 @@ def test_blanks_a_mark_and_carriage_returns_do_no_harm(tmp_path):
 
 
 def test_frames_and_rows_must_be_as_many(tmp_path):
-    told = refusal_of_table(tmp_path, HEADER + "\n" + GOOD.format(0) + "\n")
-    assert "sensors.csv: 1 rows for 2 frames" in told
+    reported = refusal_of_table(tmp_path, HEADER + "\n" + GOOD.format(0) + "\n")
+    assert "sensors.csv: 1 rows for 2 frames" in reported
 
 
 def test_a_gap_in_the_numbers_of_the_frames_is_named(tmp_path):
     folder = make_recording(tmp_path / "r", [GREY] * 3)
     (folder / "frames" / "000001.yuv").rename(folder / "frames" / "000003.yuv")
-    told = refusal(folder, tmp_path / "r.mcap")
-    assert "000002.yuv follows 000000.yuv" in told
+    reported = refusal(folder, tmp_path / "r.mcap")
+    assert "000002.yuv follows 000000.yuv" in reported
     (folder / "frames" / "000003.yuv").rename(folder / "frames" / "000002.png")
     assert "numbers must follow without a gap" in refusal(folder, tmp_path / "r.mcap")
     (folder / "frames" / "000002.png").rename(folder / "frames" / "first.png")
@@ -195,8 +195,8 @@ def test_frames_follow_by_number_not_by_spelling(tmp_path):
 
 def test_the_frame_of_a_wrong_size_is_named(tmp_path):
     folder = make_recording(tmp_path / "r", [GREY, bytes(100)])
-    told = refusal(folder, tmp_path / "r.mcap")
-    assert "000001.yuv: 100 bytes, expected 99840" in told
+    reported = refusal(folder, tmp_path / "r.mcap")
+    assert "000001.yuv: 100 bytes, expected 99840" in reported
 
 
 def test_an_earlier_log_survives_a_recording_that_is_no_good(tmp_path):
@@ -238,9 +238,9 @@ def test_names_in_capitals_as_a_fat_stick_has_them_are_taken(log, tmp_path):
 
 
 def test_a_decimal_comma_is_told_with_its_line_and_what_to_write(tmp_path):
-    told = refusal_of_table(tmp_path, "\n".join([HEADER, GOOD.format(0), "0,0334,-20,0,0,14,25,"
+    reported = refusal_of_table(tmp_path, "\n".join([HEADER, GOOD.format(0), "0,0334,-20,0,0,14,25,"
                                                  "100,0,0,0"]) + "\n")
-    assert ":3: 11 columns, expected 9; write numbers with a decimal point" in told
+    assert ":3: 11 columns, expected 9; write numbers with a decimal point" in reported
 
 
 FRAMES_OF_WALK = 120

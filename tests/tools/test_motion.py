@@ -62,21 +62,21 @@ def test_picture_and_film_are_written(tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["sit.mp4", "sit.png"]
 
 
-@pytest.mark.parametrize("text, told", [
+@pytest.mark.parametrize("text, reported", [
     ("", "has no [[frame]]"),
     (FRAME + "speed = 3\n", "speed: there is no such key"),
     (FRAME.replace("[0, 10, 20]", "[0, 10]"), ":3: front: wants 3 angles"),
     ("slew = [\n", "mine.toml:"),
 ])
-def test_a_file_with_a_mistake_is_one_line_and_2(tmp_path, text, told):
+def test_a_file_with_a_mistake_is_one_line_and_2(tmp_path, text, reported):
     file = tmp_path / "mine.toml"
     file.write_text(text)
     result = kelpie("motion", file)
     assert result.returncode == 2 and result.stdout == ""
-    assert told in complaint(result) and result.stderr.count("\n") == 1
+    assert reported in complaint(result) and result.stderr.count("\n") == 1
 
 
-@pytest.mark.parametrize("words, told", [
+@pytest.mark.parametrize("words, reported", [
     (["dance"], "dance: no such motion; there are stand, sit, "),
     (["nowhere.toml"], "nowhere.toml"),
     (["sit", "--as", "dance"], "dance: no such motion"),
@@ -84,10 +84,10 @@ def test_a_file_with_a_mistake_is_one_line_and_2(tmp_path, text, told):
     (["sit", "--film", "/nowhere/at/all.mp4"], "cannot be written"),
     (["sit", "--seed", "x"], "--seed: x is not a number"),
 ])
-def test_what_cannot_be_played_is_one_line_and_2(words, told):
+def test_what_cannot_be_played_is_one_line_and_2(words, reported):
     result = kelpie("motion", *words)
     assert result.returncode == 2
-    assert told in complaint(result) and result.stderr.count("\n") == 1
+    assert reported in complaint(result) and result.stderr.count("\n") == 1
 
 
 def test_the_same_seed_and_model_say_the_same():

@@ -25,8 +25,8 @@ def test_an_opponent_keeps_the_other_goal_and_is_not_logged(opponent, standing, 
     result = kelpie("play", "--opponent", opponent, "--pycode", standing, "--seconds", "2",
                     "--no-film", "--out", tmp_path / "out")
     assert result.returncode == 0 and "no goal in 2 s" in result.stdout, result.stderr
-    told = kelpie("info", tmp_path / "out/match.mcap").stdout
-    topics = {line.split()[0]: line.split()[2] for line in told.splitlines()
+    reported = kelpie("info", tmp_path / "out/match.mcap").stdout
+    topics = {line.split()[0]: line.split()[2] for line in reported.splitlines()
               if line.startswith("/")}
     assert topics["/frame/output"] == topics["/truth"] == "60"
     assert kelpie("replay", tmp_path / "out/match.mcap", "--check", "--pycode",
@@ -68,7 +68,7 @@ def test_an_opponent_that_dies_ends_the_match_with_one_line_that_names_it(standi
     assert sorted(p.name for p in tmp_path.iterdir()) == ["out", "standing"]
 
 
-@pytest.mark.parametrize("words, told", [
+@pytest.mark.parametrize("words, reported", [
     (["--opponent", "keeper"], "keeper"),
     (["--place", "red:1:180"], "TEAM:PLAYER:X,Y,DEG"),
     (["--place", "red:1:400,100,0"], "red 1 at (400, 100) is off the field"),
@@ -80,10 +80,10 @@ def test_an_opponent_that_dies_ends_the_match_with_one_line_that_names_it(standi
     (["--set", "behaviour.task.grab=maybe"], "behaviour.task.grab=maybe"),
     (["--set", "behaviour.task.player=9"], "behaviour.task.player"),
 ])
-def test_what_cannot_be_played_is_refused_before_it_starts(words, told, tmp_path):
+def test_what_cannot_be_played_is_refused_before_it_starts(words, reported, tmp_path):
     result = kelpie("play", *words, "--out", tmp_path / "out")
     assert result.returncode == 2
-    assert told in complaint(result) and result.stderr.count("\n") == 1
+    assert reported in complaint(result) and result.stderr.count("\n") == 1
     assert not (tmp_path / "out").exists()
 
 

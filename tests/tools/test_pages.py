@@ -55,10 +55,10 @@ def test_a_light_of_the_face_that_is_told_has_its_place_told():
     """Or that no source has it."""
     contract = (ROOT / "docs/robot-contract.md").read_text()
     placeless = {int(number) for number in re.findall(r"\| face (\d+) \|", contract)}
-    told = {int(number) for row in re.findall(r"^\| the face, ([\d ,andorlet]+) \|", FLASH, re.M)
+    listed = {int(number) for row in re.findall(r"^\| the face, ([\d ,andorlet]+) \|", FLASH, re.M)
             for number in re.findall(r"\d+", row)}
-    assert told and all(f"Where {number} is no source at hand tells" in FLASH
-                        for number in told & placeless)
+    assert listed and all(f"Where {number} is no source at hand tells" in FLASH
+                          for number in listed & placeless)
 
 
 def shelf_of(page):

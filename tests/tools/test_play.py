@@ -47,8 +47,8 @@ def test_the_last_line_tells_every_goal_and_the_others_what_each_file_is(tmp_pat
         str(tmp_path / name) for name in ("match.png", "match.mp4", "match.mcap")]
     assert "--images all" in files[2]
     assert result.stderr.startswith("playing: seed 7")  # in a pipe: when it begins ...
-    told = re.findall(r"^GOAL after ([\d.]+) s$", result.stderr, re.M)
-    assert told == [goals[1], goals[2]] and "own goal" not in result.stderr
+    reported = re.findall(r"^GOAL after ([\d.]+) s$", result.stderr, re.M)
+    assert reported == [goals[1], goals[2]] and "own goal" not in result.stderr
     assert re.search(r"film: \d+ frames\nfilm: (\d+) of \1 frames in \d+ s\n$", result.stderr)
 
 
@@ -211,8 +211,8 @@ def test_frames_that_the_agent_never_got_are_counted_by_the_cameras_numbers(tmp_
     assert dropped == sorted(dropped) and dropped[0] == 0, result.stderr
     # 180 images in 6 s; those before the first and behind the last that came are nobody's loss.
     assert 175 <= len(frames) + dropped[-1] <= 180 and 20 <= dropped[-1] <= 55
-    told = re.search(r"^(\d+) camera frames, (\d+) more dropped", kelpie("info", log).stdout, re.M)
-    assert [int(told[1]), int(told[2])] == [len(frames), dropped[-1]]
+    info = re.search(r"^(\d+) camera frames, (\d+) more dropped", kelpie("info", log).stdout, re.M)
+    assert [int(info[1]), int(info[2])] == [len(frames), dropped[-1]]
     gaps = [(b["t_s"] - a["t_s"]) * 30 for a, b in zip(frames, frames[1:])]
     assert [round(g) - 1 for g in gaps] == [b - a for a, b in zip(dropped, dropped[1:])]
 

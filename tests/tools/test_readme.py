@@ -178,24 +178,24 @@ def test_a_file_edited_while_a_match_runs_plays_and_a_mistake_is_told_once(tmp_p
     shutil.copytree(ROOT / "pycode", pycode, ignore=shutil.ignore_patterns("__pycache__"))
     main = pycode / "main.py"
     good = main.read_text()
-    told = tmp_path / "told"
-    with told.open("w") as stream:
+    reported = tmp_path / "told"
+    with reported.open("w") as stream:
         play = subprocess.Popen([BIN / "kelpie", "play", "--seconds", "600", "--goals", "99",
                                  "--no-film", "--pycode", pycode, "--out", tmp_path / "out"],
                                 stderr=stream, stdout=subprocess.DEVNULL, cwd=ROOT)
     try:
         wait_for_log(tmp_path / "out", play.pid)
         save(main, good + "\nboom(\n")
-        wait_for(told, "the version before plays on")
+        wait_for(reported, "the version before plays on")
         save(main, good + "\n")
-        wait_for(told, "main.py: loaded again")
+        wait_for(reported, "main.py: loaded again")
         main.unlink()
-        wait_for(told, "main.py: gone; the version before plays on")
+        wait_for(reported, "main.py: gone; the version before plays on")
         save(main, good)
-        wait_for(told, "main.py: loaded again", 2)
+        wait_for(reported, "main.py: loaded again", 2)
     finally:
         play.send_signal(signal.SIGINT)
         play.wait(60)
-    lines = [line for line in told.read_text().splitlines() if line.startswith("behaviour: ")]
+    lines = [line for line in reported.read_text().splitlines() if line.startswith("behaviour: ")]
     assert len(lines) == 4
     assert f"{main}:{good.count(chr(10)) + 2}: SyntaxError" in lines[0]

@@ -58,8 +58,8 @@ def test_a_new_kick_is_known_to_both_sides_by_its_file_alone(tree):
     (LISTED.replace("}", ', key = "nudge" }'), "motion.key: is a letter and a word")])
 def test_a_file_that_does_not_list_its_motion_is_refused_in_one_line(tree, listed, says):
     nudge(tree, listed)
-    code, told = made(tree)
-    assert code == 1 and says in told and "\n" not in told
+    code, reported = made(tree)
+    assert code == 1 and says in reported and "\n" not in reported
 
 
 def test_what_would_stay_the_same_is_not_written_again(tree):

@@ -45,14 +45,14 @@ def test_a_frame_is_drawn_as_jpeg_where_its_name_says_so(name, match, tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == [name]
 
 
-@pytest.mark.parametrize("words, told", [
+@pytest.mark.parametrize("words, reported", [
     (("show", "--out", "f.gif"), "f.gif: show writes .png and .jpg"),
     (("film", "f.avi"), "f.avi: a film is an .mp4 file"),
     (("film", "f"), "f: a film is an .mp4 file")])
-def test_what_cannot_be_written_is_refused_by_name(words, told, match, tmp_path):
+def test_what_cannot_be_written_is_refused_by_name(words, reported, match, tmp_path):
     command, *rest, name = words
     result = kelpie(command, match, *rest, tmp_path / name)
-    assert result.returncode == 2 and told in complaint(result)
+    assert result.returncode == 2 and reported in complaint(result)
     assert not list(tmp_path.iterdir())
 
 

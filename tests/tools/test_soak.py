@@ -16,12 +16,12 @@ def soak(out, *words, programs=None):
 
 
 def wrongs(memory, code=0, lines=(), kills=0):
-    told = SOAK["Told"]()
+    reported = SOAK["Told"]()
     for line in lines:
-        told.line(line)
+        reported.line(line)
     kept = SOAK["Memory"]()
     kept.samples = memory
-    return list(SOAK["wrongs_of"](code, False, kept, told, {"kills": kills}))
+    return list(SOAK["wrongs_of"](code, False, kept, reported, {"kills": kills}))
 
 
 def minutes_of(megabytes, minutes=60):

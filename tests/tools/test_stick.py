@@ -261,7 +261,7 @@ def test_the_radios_keys_are_never_told(parts):
     assert "field.wlan:3: WEPKEY" in complaint(result) and SECRET not in result.stderr
 
 
-@pytest.mark.parametrize("words, told", [
+@pytest.mark.parametrize("words, reported", [
     (["--out", "x", "--wlan", "/no/such.wlan"], "does not exist"),
     (["--out", "x", "--wlan", str(ROOT / "README.md")], "source tree"),
     (["--out", "x", "--object", "/no/such.bin"], "does not exist"),
@@ -277,11 +277,11 @@ def test_the_radios_keys_are_never_told(parts):
     (["--out", "x", "--object", ""], "--object"),
     ([], "--out, --diff or --install"),
 ])
-def test_what_cannot_be_is_one_line(words, told, tmp_path):
+def test_what_cannot_be_is_one_line(words, reported, tmp_path):
     words = [str(tmp_path / "x") if word == "x" else word for word in words]
     result = stick(*words)
     assert result.returncode == 2
-    assert told in complaint(result)
+    assert reported in complaint(result)
     assert not (tmp_path / "x").exists()
 
 
@@ -313,22 +313,22 @@ def written_wlan(parts, text):
     (FIXED + "APMODE=2\n", ""), ("ESSID=fourlegged\nUSE_DHCP=1\n", ""),
     (FIXED + "SSDP_ENABLE=1\nDNS_SERVER_2=10.0.1.1\n", "SSDP_ENABLE, DNS_SERVER_2")])
 def test_every_kind_of_network_is_taken(parts, text, unknown):
-    written, told = written_wlan(parts, text)
+    written, reported = written_wlan(parts, text)
     assert written == text
-    lines = [line for line in told.splitlines() if "field.wlan" in line]
-    told = f"{parts / 'field.wlan'}: not known here and kept as they are: {unknown}"
-    assert lines == ([told] if unknown else [])
+    lines = [line for line in reported.splitlines() if "field.wlan" in line]
+    reported = f"{parts / 'field.wlan'}: not known here and kept as they are: {unknown}"
+    assert lines == ([reported] if unknown else [])
 
 
 @pytest.mark.skipif(not SONY_KEYS.exists(), reason=f"{SONY_KEYS.name} is not here")
 def test_the_keys_of_sonys_own_sample_are_taken(parts):
     text = SONY_KEYS.read_text()
-    written, told = written_wlan(parts, text)
+    written, reported = written_wlan(parts, text)
     lines = [line for line in text.splitlines() if line and not line.startswith("#")]
     assert written.splitlines() == lines
-    assert "kept as they are: SSDP_ENABLE\n" in told
+    assert "kept as they are: SSDP_ENABLE\n" in reported
     key, = [line.split("=")[1] for line in lines if line.startswith("WEPKEY=")]
-    assert key not in told
+    assert key not in reported
 
 
 FORMER = {"OPEN-R/MW/CONF/OBJECT.CFG": b"/MS/OPEN-R/MW/OBJS/WALKER.BIN\n",

@@ -47,8 +47,8 @@ def match(team, out, *words, robots="2v2", seconds="4"):
 
 
 def frames(log):
-    told = kelpie("replay", log, "--jsonl", "-").stdout
-    return [json.loads(line) for line in told.splitlines()]
+    reported = kelpie("replay", log, "--jsonl", "-").stdout
+    return [json.loads(line) for line in reported.splitlines()]
 
 
 def test_a_match_by_the_rules_ends_well_without_a_goal_and_tells_the_score(team, tmp_path):
@@ -89,8 +89,8 @@ def test_a_script_that_fails_is_told_once_and_its_robots_stand(tmp_path, team):
     (team / "main.py").write_text(BREAKS)
     result = match(team, tmp_path / "out", seconds="2")
     assert result.returncode == 0, result.stderr
-    told = [line for line in result.stderr.splitlines() if "a skill that fails" in line]
-    assert len(told) == 4, result.stderr  # once of each robot
+    reported = [line for line in result.stderr.splitlines() if "a skill that fails" in line]
+    assert len(reported) == 4, result.stderr  # once of each robot
 
 
 def test_the_logs_of_all_robots_hold_class_planes_and_keep_within_their_budget(tmp_path):
@@ -108,9 +108,9 @@ def test_the_logs_of_all_robots_hold_class_planes_and_keep_within_their_budget(t
         # 150 MB for eight robots in 14 minutes, in which there are ten of play; what a log begins
         # with comes once: the configuration and the message types.
         assert log.stat().st_size < 100_000 + 150e6 / 8 * seconds / (14 * 60)
-        told = frames(log)
-        assert len(told) == topics["/frame/output"] and told[-1]["command"]["trace"]
-        assert told[-1]["truth"]["x_cm"] > -50
+        reported = frames(log)
+        assert len(reported) == topics["/frame/output"] and reported[-1]["command"]["trace"]
+        assert reported[-1]["truth"]["x_cm"] > -50
     assert kelpie("show", logs[0], "--frame", 30, "--out", tmp_path / "f.png").returncode == 0
     refused = kelpie("show", logs[0], "--frame", 31, "--out", tmp_path / "f.png")
     assert "keeps no image of frame 31; it does of 30 and 45" in complaint(refused)
@@ -129,9 +129,9 @@ def test_a_ball_that_is_taken_away_comes_back_and_play_goes_on(tmp_path):
     assert result.returncode == 0, result.stderr
     assert "8.0 s: the ball is taken away" in result.stderr
     assert "11.0 s: the ball is back at (100, 200)" in result.stderr
-    told = frames(tmp_path / "out/match.mcap")
-    assert told[-1]["t_s"] > 20
-    assert {frame["command"]["fallback"] for frame in told} == {0}, "no script failed"
+    reported = frames(tmp_path / "out/match.mcap")
+    assert reported[-1]["t_s"] > 20
+    assert {frame["command"]["fallback"] for frame in reported} == {0}, "no script failed"
 
 
 def match_of_ours(out, *words):
@@ -152,9 +152,9 @@ def test_a_robot_that_is_carried_off_knows_where_it_is_within_20_s(tmp_path):
         return math.dist(*[[frame[key][axis] for axis in ("x_cm", "y_cm")]
                            for key in ("pose", "truth")])
 
-    told = frames(tmp_path / "out/match.mcap")
-    assert any(error(frame) > 200 for frame in told if at < frame["t_s"] < at + 1)
-    found = [error(frame) for frame in told if at + 19 < frame["t_s"] < at + 20]
+    reported = frames(tmp_path / "out/match.mcap")
+    assert any(error(frame) > 200 for frame in reported if at < frame["t_s"] < at + 1)
+    found = [error(frame) for frame in reported if at + 19 < frame["t_s"] < at + 20]
     assert found and min(found) < 50
 
 
@@ -186,8 +186,8 @@ def test_when_the_world_dies_all_end_with_one_line_and_whole_logs(team, tmp_path
     os.kill(int(listing[0]), signal.SIGKILL)
     _, errors = play.communicate(timeout=30)
     assert play.returncode == 3
-    told = [line for line in errors.splitlines() if line.startswith("kelpie: ")]
-    assert len(told) == 1 and "the world died (signal 9)" in told[0], errors
+    reported = [line for line in errors.splitlines() if line.startswith("kelpie: ")]
+    assert len(reported) == 1 and "the world died (signal 9)" in reported[0], errors
     assert not any(os.path.exists(f"/proc/{pid}") for pid in agents.values())
     for name in ("match", "red-1", "blue-1", "blue-2"):
         log = tmp_path / "out" / f"{name}.mcap"
@@ -216,10 +216,10 @@ def test_a_script_mended_while_the_match_goes_on_plays_again(tmp_path):
     lines = [line for line in errors.splitlines() if "a skill that fails" in line]
     assert len(lines) == 2, errors  # once of each team's number 2, for both use the folder
     assert any("blue 2" in line for line in lines)
-    told = [frame["command"]["fallback"] for frame in frames(tmp_path / "out/match.mcap")]
-    failed = [i for i, fallback in enumerate(told) if fallback == 2]
-    assert failed and failed[0] > 0 and not any(told[failed[-1] + 1:])
-    assert len(told) - failed[-1] > 10 and failed[-1] - failed[0] + 1 == len(failed)
+    reported = [frame["command"]["fallback"] for frame in frames(tmp_path / "out/match.mcap")]
+    failed = [i for i, fallback in enumerate(reported) if fallback == 2]
+    assert failed and failed[0] > 0 and not any(reported[failed[-1] + 1:])
+    assert len(reported) - failed[-1] > 10 and failed[-1] - failed[0] + 1 == len(failed)
 
 
 def test_on_a_terminal_one_line_tells_how_far_the_match_is(team, tmp_path):
@@ -297,9 +297,9 @@ def test_an_agent_that_comes_back_while_its_script_is_broken_waits_for_it(robot,
     time.sleep(3.0)
     _, errors = interrupted(play)
     assert play.returncode == 130 and "is there again" in errors
-    told = frames(tmp_path / "out" / ("match-2.mcap" if robot == ("red", 2) else "match.mcap"))
-    assert told[-1]["command"]["fallback"] == 0
-    assert robot != ("red", 2) or told[0]["command"]["fallback"] == 1  # not loaded
+    reported = frames(tmp_path / "out" / ("match-2.mcap" if robot == ("red", 2) else "match.mcap"))
+    assert reported[-1]["command"]["fallback"] == 0
+    assert robot != ("red", 2) or reported[0]["command"]["fallback"] == 1  # not loaded
 
 
 def test_without_respawn_the_match_ends_with_one_line_and_a_whole_log(team, tmp_path):
@@ -317,7 +317,7 @@ def test_an_interrupted_match_leaves_log_and_nothing_else_behind(team, tmp_path)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out", "team"]
 
 
-@pytest.mark.parametrize("words, told", [
+@pytest.mark.parametrize("words, reported", [
     (["--robots", "5v4"], "'5v4': teams are written as 4v4"),
     (["--robots", "0v0"], "'0v0': teams are written as 4v4"),
     (["--red", "docs"], "'docs': holds neither main.py nor team.toml"),
@@ -332,10 +332,10 @@ def test_an_interrupted_match_leaves_log_and_nothing_else_behind(team, tmp_path)
     (["--robots", "2v2", "--carry", "9:red:1:-9,2,3"], "red 1 at (-9, 2) is off the field"),
     (["--robots", "2v2", "--logs", "some"], "--logs"),
 ])
-def test_what_is_no_match_is_refused_in_one_line(words, told, tmp_path):
+def test_what_is_no_match_is_refused_in_one_line(words, reported, tmp_path):
     result = kelpie("play", *words, "--out", tmp_path / "out")
     assert result.returncode == 2
-    assert told in complaint(result) and result.stderr.count("\n") == 1
+    assert reported in complaint(result) and result.stderr.count("\n") == 1
     assert not (tmp_path / "out").exists()
 
 
@@ -381,12 +381,12 @@ def test_a_league_with_other_behaviours_is_another_league(team, tmp_path):
     assert result.returncode == 2 and complaint(result)
 
 
-@pytest.mark.parametrize("words, told", [
+@pytest.mark.parametrize("words, reported", [
     ([], "two teams"), (["docs"], "'docs': holds neither main.py nor team.toml"),
     (["teams/thesis", "--robots", "9v9"], "'9v9': teams are written as 4v4")])
-def test_what_is_no_league_is_refused_before_anything_is_written(words, told, team, tmp_path):
+def test_what_is_no_league_is_refused_before_anything_is_written(words, reported, team, tmp_path):
     result = kelpie("league", team, *words, "--out", tmp_path / "league")
-    assert result.returncode == 2 and told in complaint(result)
+    assert result.returncode == 2 and reported in complaint(result)
     assert not (tmp_path / "league").exists()
 
 

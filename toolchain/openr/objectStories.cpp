@@ -18,7 +18,7 @@ namespace {
 
 using namespace kelpie;
 
-constexpr double kMostDegrees = 60.01;   // a second, of rounding
+constexpr double kMaxDegrees = 60.01;    // a second, of rounding
 constexpr std::int32_t kImageEvery = 8;  // messages; a second without one is a story of its own
 
 // Between the object and the loops: notes what passes. Is the loops' log, too, to see their frames.
@@ -54,7 +54,7 @@ class TapedLoops : public agent::Loops, public agent::LogSink {
   void hear(const ControlPacket&, TimeUs) override {}
   void hear(const RadioPacket&, TimeUs) override {}
   bool takePacket(RadioPacket&) override { return false; }
-  const behaviour::ToldLine* takeLine() override { return nullptr; }
+  const behaviour::ReportLine* takeLine() override { return nullptr; }
 
   double playsFrom = 0.0;  // s; 0: never
 
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     const double speed = play(story, argv[2], out);
     std::printf("%s: %.1f s, at most %.1f deg/s before it plays\n", story.name, story.seconds,
                 speed);
-    gentle = gentle && speed >= 0.0 && speed <= kMostDegrees;
+    gentle = gentle && speed >= 0.0 && speed <= kMaxDegrees;
   }
   if (!out.close()) {
     std::fprintf(stderr, "object-stories: %s: cannot be written\n", argv[1]);

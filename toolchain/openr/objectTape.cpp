@@ -36,9 +36,9 @@ struct Counts {
 class Tape {
  public:
   Tape(TapeWriter& out, std::uint32_t frames, std::string scripts)
-      : out_(out), most_(frames), scripts_(std::move(scripts)) {}
+      : out_(out), max_(frames), scripts_(std::move(scripts)) {}
 
-  bool full() const { return imageless_ || (counts_.frames >= most_ && waitingFrame_ == nullptr); }
+  bool full() const { return imageless_ || (counts_.frames >= max_ && waitingFrame_ == nullptr); }
   const Counts& counts() const { return counts_; }
 
   Status take(const LogMessage& message) {
@@ -103,7 +103,7 @@ class Tape {
   }
 
   TapeWriter& out_;
-  std::uint32_t most_;
+  std::uint32_t max_;
   std::string scripts_;     // of the player that was recorded; empty: another one decides
   bool imageless_ = false;  // came to a frame whose image was not kept
   Counts counts_;

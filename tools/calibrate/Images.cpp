@@ -107,12 +107,12 @@ Status forEachFrame(const std::string& path, Take&& take) {
   return reader->status();
 }
 
-Expected<std::vector<NamedImage>> fromLog(const std::string& path, std::size_t most) {
+Expected<std::vector<NamedImage>> fromLog(const std::string& path, std::size_t max) {
   std::size_t count = 0;
   const Status counted = forEachFrame(path, [&](const FrameInput&) { ++count; });
   if (!counted) return Error{counted.error()};
   if (count == 0) return Error{path + ": no frames"};
-  const std::size_t every = (count + most - 1) / most;
+  const std::size_t every = (count + max - 1) / max;
   std::vector<NamedImage> images;
   std::size_t at = 0;
   const Status taken = forEachFrame(path, [&](const FrameInput& input) {
@@ -133,10 +133,10 @@ Expected<Image> readImage(const std::string& path) {
   return extension == ".bin" ? fromRows(*bytes) : fromPlanes(*bytes);
 }
 
-Expected<std::vector<NamedImage>> readImages(const std::string& path, std::size_t most) {
+Expected<std::vector<NamedImage>> readImages(const std::string& path, std::size_t max) {
   std::error_code error;
   if (!fs::exists(path, error)) return Error{path + ": no such folder or log"};
-  return fs::is_directory(path, error) ? fromFolder(path) : fromLog(path, most);
+  return fs::is_directory(path, error) ? fromFolder(path) : fromLog(path, max);
 }
 
 Status writePicture(const Image& image, const std::string& path) {

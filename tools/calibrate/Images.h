@@ -18,8 +18,8 @@ struct NamedImage {
 };
 
 Expected<Image> readImage(const std::string& path);
-// All images of a folder in the order of their names, or at most `most` of a log, evenly spread.
-Expected<std::vector<NamedImage>> readImages(const std::string& path, std::size_t most);
+// All images of a folder in the order of their names, or at most `max` of a log, evenly spread.
+Expected<std::vector<NamedImage>> readImages(const std::string& path, std::size_t max);
 Status writePicture(const Image& image, const std::string& path);
 
 }  // namespace kelpie::calibrate

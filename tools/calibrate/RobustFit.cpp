@@ -52,8 +52,8 @@ class Fitter {
  private:
   // One step downhill; false when there is none worth taking.
   bool improve(const Normal& n, double& damping) {
-    constexpr double kMostDamping = 1e9;
-    for (; damping < kMostDamping; damping *= 8.0) {
+    constexpr double kMaxDamping = 1e9;
+    for (; damping < kMaxDamping; damping *= 8.0) {
       Matrix damped = n.matrix;
       damped.diagonal() += damping * n.matrix.diagonal();
       const Vector step = -damped.ldlt().solve(n.gradient);

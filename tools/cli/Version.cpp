@@ -7,7 +7,7 @@
 #include "robot/core/Checksum.h"
 #include "robot/core/log/LogTopics.h"
 #include "tools/cli/Commit.h"
-#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/bodies/Randomisation.h"
 
 namespace kelpie::cli {
 namespace {
@@ -31,7 +31,8 @@ std::string fieldListVersion() {
       described<PlaneFrame>(kPlaneFrameTopic) + described<PictureFrame>(kPictureFrameTopic) +
       described<FrameOutput>(kFrameOutputTopic) + described<MotionInput>(kMotionInputTopic) +
       described<MotionOutput>(kMotionOutputTopic) + described<sim::TruthFrame>(sim::kTruthTopic) +
-      described<sim::MatchEvent>(sim::kEventTopic) + described<sim::UnlikeWorld>(sim::kUnlikeTopic);
+      described<sim::MatchEvent>(sim::kEventTopic) +
+      described<sim::RandomisedWorld>(sim::kRandomisedTopic);
   return fmt::format("{:016x}", fnv1a(all));
 }
 

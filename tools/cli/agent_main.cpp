@@ -75,9 +75,9 @@ class AgentSink : public agent::LogSink {
     log_ = nullptr;
   }
   void tellDriver(const FrameInput& input, const FrameOutput& output) {
-    const Status told = driver_->tell(input, output);
-    driverGone_ = !told;
-    if (driverGone_) fmt::print(stderr, "{}; the robot stands\n", told.error());
+    const Status reported = driver_->tell(input, output);
+    driverGone_ = !reported;
+    if (driverGone_) fmt::print(stderr, "{}; the robot stands\n", reported.error());
   }
 
   LogFile* log_;

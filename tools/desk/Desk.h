@@ -136,16 +136,16 @@ class Desk : public Source {
 
 // deg/s, of any joint between two ticks that were played before `end`.
 inline double fastest(const Desk& desk, double begin, double end) {
-  double most = 0.0;
+  double max = 0.0;
   for (std::size_t i = 1; i < desk.played.size(); ++i) {
     const double at = desk.played[i].first.seconds();
     if (at < begin || at > end) continue;
     for (std::size_t j = 0; j < kJointCount; ++j) {
       const double way = desk.played[i].second.value[j] - desk.played[i - 1].second.value[j];
-      most = std::max(most, std::fabs(way) * openr::kMicroradian / kTickSeconds);
+      max = std::max(max, std::fabs(way) * openr::kMicroradian / kTickSeconds);
     }
   }
-  return most * 180.0 / maths::kPi;
+  return max * 180.0 / maths::kPi;
 }
 
 }  // namespace kelpie::host

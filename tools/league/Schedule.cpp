@@ -8,8 +8,8 @@ namespace kelpie::league {
 namespace {
 
 constexpr std::uint64_t kLargestSeed = 9000000000000000ULL;  // whole numbers a double can hold
-constexpr int kMostMatchesAPair = 1000000;
-constexpr std::size_t kMostSides = 1000;
+constexpr int kMaxMatchesAPair = 1000000;
+constexpr std::size_t kMaxSides = 1000;
 
 // Tables, pictures and pages take such names as they are.
 bool isName(const std::string& name) {
@@ -21,7 +21,7 @@ bool isName(const std::string& name) {
 Status checkSides(const LeaguePlan& plan) {
   const auto& sides = plan.sides;
   if (sides.size() < 2) return Error{"a league needs two sides at least"};
-  if (sides.size() > kMostSides) return Error{"a league takes 1000 sides at most"};
+  if (sides.size() > kMaxSides) return Error{"a league takes 1000 sides at most"};
   for (auto side = sides.begin(); side != sides.end(); ++side) {
     if (!isName(*side))
       return Error{"side '" + *side + "': a name is 1 to 40 printable ASCII characters"};
@@ -49,7 +49,7 @@ std::vector<Pairing> pairingsOf(const LeaguePlan& plan) {
 Status checkPlan(const LeaguePlan& plan) {
   const Status sides = checkSides(plan);
   if (!sides) return sides;
-  if (plan.matchesAPair < 2 || plan.matchesAPair % 2 != 0 || plan.matchesAPair > kMostMatchesAPair)
+  if (plan.matchesAPair < 2 || plan.matchesAPair % 2 != 0 || plan.matchesAPair > kMaxMatchesAPair)
     return Error{"matches a pair: an even number from 2 to 1000000, each seed being played twice"};
   if (!(plan.minutes > 0.0) || !std::isfinite(plan.minutes))
     return Error{"minutes of a match: more than 0"};

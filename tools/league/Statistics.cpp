@@ -97,9 +97,9 @@ double meanOf(const Differences& differences) {
 }
 
 double spreadOf(const Differences& differences) {
-  const auto [least, most] = std::minmax_element(differences.begin(), differences.end());
+  const auto [min, max] = std::minmax_element(differences.begin(), differences.end());
   // Equal ones have none; their mean may be off by its rounding.
-  if (differences.size() < 2 || *least == *most) return 0.0;
+  if (differences.size() < 2 || *min == *max) return 0.0;
   const double mean = meanOf(differences);
   double squares = 0.0;
   for (const double d : differences) squares += (d - mean) * (d - mean);

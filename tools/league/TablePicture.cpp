@@ -10,12 +10,12 @@
 namespace kelpie::league {
 namespace {
 
-constexpr int kRow = 24;        // px from a line to the next
-constexpr int kMargin = 18;     // px
-constexpr int kGap = 22;        // px between columns
-constexpr int kBar = 220;       // px of the drawn intervals
-constexpr int kMostRows = 400;  // of a table: more make no picture to look at
-constexpr std::size_t kMostLines = 12;
+constexpr int kRow = 24;       // px from a line to the next
+constexpr int kMargin = 18;    // px
+constexpr int kGap = 22;       // px between columns
+constexpr int kBar = 220;      // px of the drawn intervals
+constexpr int kMaxRows = 400;  // of a table: more make no picture to look at
+constexpr std::size_t kMaxLines = 12;
 constexpr double kSize = 0.45;
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 const cv::Scalar kPaper(255, 255, 255);
@@ -37,8 +37,8 @@ std::vector<int> widthsOf(const Table& table) {
 
 // A league may have any number of void matches.
 std::vector<std::string> firstOf(std::vector<std::string> lines) {
-  if (lines.size() <= kMostLines) return lines;
-  lines.resize(kMostLines);
+  if (lines.size() <= kMaxLines) return lines;
+  lines.resize(kMaxLines);
   lines.back() = "... more in table.txt";
   return lines;
 }
@@ -46,7 +46,7 @@ std::vector<std::string> firstOf(std::vector<std::string> lines) {
 class TableDrawing {
  public:
   explicit TableDrawing(Table table) : table_(std::move(table)), widths_(widthsOf(table_)) {
-    if (table_.rows.size() > kMostRows) table_.rows.resize(kMostRows);
+    if (table_.rows.size() > kMaxRows) table_.rows.resize(kMaxRows);
     for (const TableRow& row : table_.rows)
       if (row.interval)
         reach_ = std::max({reach_, std::fabs(row.interval->low), std::fabs(row.interval->high)});

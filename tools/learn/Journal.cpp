@@ -17,7 +17,7 @@ std::string headOf(const SearchSpace& space, const SearchPlan& plan) {
       fmt::format("cma seed {} population {} spread {}", plan.seed, plan.population, plan.spread);
   if (!plan.trial.empty()) text += " " + plan.trial;
   for (std::size_t i = 0; i < space.names.size(); ++i)
-    text += fmt::format(" {} {:a} {:a} {:a}", space.names[i], space.least[i], space.most[i],
+    text += fmt::format(" {} {:a} {:a} {:a}", space.names[i], space.min[i], space.max[i],
                         space.start[i]);
   return text;
 }

@@ -11,7 +11,7 @@ namespace {
 
 struct Run {
   const Gain& gain;
-  const Told& told;
+  const Listener& listener;
   Journal journal;
   SearchResult result;
   Status written = Done{};
@@ -28,7 +28,7 @@ struct Run {
       result.best = point;
     }
     result.gains.push_back(result.gain);
-    told(static_cast<int>(result.gains.size()), result.gain);
+    listener(static_cast<int>(result.gains.size()), result.gain);
     return now;
   }
 };
@@ -37,15 +37,15 @@ struct Run {
 std::vector<double> scaled(const std::vector<double>& shares, const SearchSpace& space) {
   std::vector<double> point = shares;
   for (std::size_t i = 0; i < point.size(); ++i)
-    point[i] = space.least[i] + shares[i] * (space.most[i] - space.least[i]);
+    point[i] = space.min[i] + shares[i] * (space.max[i] - space.min[i]);
   return point;
 }
 
 std::vector<double> sharesOf(const std::vector<double>& point, const SearchSpace& space) {
   std::vector<double> shares = point;
   for (std::size_t i = 0; i < point.size(); ++i) {
-    const double whole = space.most[i] - space.least[i];
-    shares[i] = whole > 0.0 ? (point[i] - space.least[i]) / whole : 0.5;
+    const double whole = space.max[i] - space.min[i];
+    shares[i] = whole > 0.0 ? (point[i] - space.min[i]) / whole : 0.5;
   }
   return shares;
 }
@@ -70,13 +70,13 @@ Status searchFrom(const SearchSpace& space, const SearchPlan& plan,
 }  // namespace
 
 Expected<SearchResult> search(const SearchSpace& space, const SearchPlan& plan, const Gain& gain,
-                              const Told& told) {
-  Run run{gain, told, {}, {}, Done{}};
+                              const Listener& listener) {
+  Run run{gain, listener, {}, {}, Done{}};
   const Status opened = run.journal.open(space, plan);
   if (!opened) return Error{opened.error()};
   std::vector<double> start = space.start;
   for (std::size_t i = 0; i < start.size(); ++i)
-    start[i] = std::clamp(start[i], space.least[i], space.most[i]);
+    start[i] = std::clamp(start[i], space.min[i], space.max[i]);
   const Status searched = searchFrom(space, plan, start, run);
   if (!searched) return Error{searched.error()};
   return run.result;

@@ -26,10 +26,10 @@ struct SearchResult {
 // The gain of a point; greater is better, must be finite.
 using Gain = std::function<double(const std::vector<double>&)>;
 // Told after each trial: how many were made, and the best gain.
-using Told = std::function<void(int, double)>;
+using Listener = std::function<void(int, double)>;
 
 // Errors: a journal of another search, or one that cannot be written.
 Expected<SearchResult> search(const SearchSpace& space, const SearchPlan& plan, const Gain& gain,
-                              const Told& told);
+                              const Listener& listener);
 
 }  // namespace kelpie::learn

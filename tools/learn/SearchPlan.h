@@ -10,8 +10,8 @@ namespace kelpie::learn {
 
 struct SearchSpace {
   std::vector<std::string> names;
-  std::vector<double> least;
-  std::vector<double> most;
+  std::vector<double> min;
+  std::vector<double> max;
   std::vector<double> start;  // moved inside
 };
 

@@ -9,7 +9,7 @@
 namespace kelpie::match {
 namespace {
 
-const Angle kMostPan = Angle::deg(88.0);
+const Angle kMaxPan = Angle::deg(88.0);
 const Angle kHalfView = Angle::deg(28.0);  // of the image's width
 const Angle kStandingTilt = Angle::deg(14.25);
 constexpr double kFarthest = 450.0;  // cm: a goal farther away is not seen
@@ -58,8 +58,8 @@ void seeGoal(Seat& seat, const body::Landmark& goal, double width) {
   if (!inView(seat, seen.heading) || seen.distance > kFarthest) return;
   // Seen from the own half the left post of the far goal is that of the smaller x.
   const double half = goal.position.y > seat.world.pose.position.y ? 0.5 * width : -0.5 * width;
-  const auto post = [&](double aside) {
-    return bearing(robotFromField(seat.world.pose, {goal.position.x + aside, goal.position.y}));
+  const auto post = [&](double lateral) {
+    return bearing(robotFromField(seat.world.pose, {goal.position.x + lateral, goal.position.y}));
   };
   seen.leftEdge = post(-half);
   seen.rightEdge = post(half);
@@ -83,7 +83,7 @@ void place(Seat& seat, const agent::AgentConfig& config, const Pose2& pose, Poin
   believe(seat, pose, ball);
   const double pan = seat.world.ball.heading.rad();
   seat.input.sensors.joints[Joint::headPan] =
-      Angle::rad(maths::clamp(pan, -kMostPan.rad(), kMostPan.rad()));
+      Angle::rad(maths::clamp(pan, -kMaxPan.rad(), kMaxPan.rad()));
   seeBall(seat);
   for (const body::Landmark& landmark : body::landmarksFor(config.field, config.team))
     if (landmark.kind <= LandmarkKind::goalYellow) seeGoal(seat, landmark, config.field.goalWidth);

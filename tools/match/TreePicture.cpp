@@ -69,8 +69,8 @@ class TreeDrawing {
     std::vector<int> wide;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (nodes_[i].depth >= wide.size()) wide.resize(nodes_[i].depth + 1, 0);
-      int& most = wide[nodes_[i].depth];
-      if (!nodes_[i].leaf) most = std::max(most, widthOf(words_[i]) + 2 * kPad);
+      int& max = wide[nodes_[i].depth];
+      if (!nodes_[i].leaf) max = std::max(max, widthOf(words_[i]) + 2 * kPad);
     }
     columns_.push_back(kMargin);
     for (const int column : wide) columns_.push_back(columns_.back() + column + kEdge);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostFolders = 1000;  // of one name; who plays more at once is mistaken
+constexpr int kMaxFolders = 1000;  // of one name; who plays more at once is mistaken
 
 // Locked, or -1: no folder, or somebody else holds it.
 int lockFolder(const std::string& path) {
@@ -69,7 +69,7 @@ MatchFolder::~MatchFolder() {
 Expected<MatchFolder> MatchFolder::take(const std::string& wanted, const std::string& stem) {
   MatchFolder folder;
   folder.stem_ = stem;
-  for (int number = 1; number <= kMostFolders; ++number) {
+  for (int number = 1; number <= kMaxFolders; ++number) {
     folder.path_ = number == 1 ? wanted : wanted + "-" + std::to_string(number);
     std::error_code error;
     fs::create_directories(folder.path_, error);

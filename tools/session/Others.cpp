@@ -10,11 +10,11 @@
 
 namespace kelpie::cli {
 
-Expected<Others> Others::start(const SessionOptions& options, const Workshop& workshop) {
+Expected<Others> Others::start(const SessionOptions& options, const RunDirectory& runDirectory) {
   Others others;
   for (const OtherRobot& one : options.others) {
-    const auto command = [&options, &workshop, one](int life) {
-      return otherCommand(options, one, workshop, life);
+    const auto command = [&options, &runDirectory, one](int life) {
+      return otherCommand(options, one, runDirectory, life);
     };
     auto process = Process::start(command(0), true);
     if (!process) return Error{process.error()};
@@ -72,7 +72,7 @@ void Others::kill() {
 
 bool Others::revive() {
   if (failed_ == nullptr || --failed_->lives <= 0) return false;
-  auto process = Process::start(failed_->command(kMostLives - failed_->lives), true);
+  auto process = Process::start(failed_->command(kMaxLives - failed_->lives), true);
   if (!process) return false;
   failed_->process.emplace(std::move(*process));
   failed_->complaint.clear();

@@ -9,18 +9,18 @@
 
 #include "behaviour/watch/HungExit.h"
 #include "tools/cli/Process.h"
-#include "tools/cli/Workshop.h"
+#include "tools/cli/RunDirectory.h"
 #include "tools/session/SessionOptions.h"
 
 namespace kelpie::cli {
 
 // An agent that dies at once, again and again, is not started for ever.
-constexpr int kMostLives = 20;
+constexpr int kMaxLives = 20;
 
 class Others {
  public:
   // Starts them all, or none.
-  static Expected<Others> start(const SessionOptions& options, const Workshop& workshop);
+  static Expected<Others> start(const SessionOptions& options, const RunDirectory& runDirectory);
 
   // Takes what they have printed; a script's error goes to the user with the robot's name.
   void hear(const std::function<void(const std::string&)>& tell);
@@ -42,7 +42,7 @@ class Others {
     std::optional<Process> process;
     std::string complaint;
     std::string last;  // of the other lines
-    int lives = kMostLives;
+    int lives = kMaxLives;
   };
   std::string endOf(const One& one);
   void hearOne(One& one, const std::function<void(const std::string&)>& tell);

@@ -16,7 +16,7 @@
 #include "behaviour/watch/HungExit.h"
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Process.h"
-#include "tools/cli/Workshop.h"
+#include "tools/cli/RunDirectory.h"
 #include "tools/session/MatchFolder.h"
 #include "tools/session/Others.h"
 #include "tools/session/SessionCommands.h"
@@ -123,9 +123,9 @@ struct Ends {
 };
 
 // The processes of a match, and what they said.
-struct Crew {
+struct ThreadPool {
   const SessionOptions& options;
-  const Workshop& workshop;
+  const RunDirectory& runDirectory;
   Process& world;
   std::optional<Process>& agent;
   Others& others;
@@ -163,117 +163,117 @@ bool endsSoon(Process& world) {
   return world.ended();
 }
 
-void hearAll(int milliseconds, const SessionTalk& talk, Crew& crew) {
+void hearAll(int milliseconds, const SessionTalk& talk, ThreadPool& pool) {
   std::string line;
-  if (crew.agent->readLine(line, milliseconds)) crew.agentSaid.hear(line, talk);
-  while (crew.world.readLine(line, 0)) crew.worldSaid.hear(line, talk);
-  crew.others.hear([&](const std::string& said) { tell(said, talk); });
+  if (pool.agent->readLine(line, milliseconds)) pool.agentSaid.hear(line, talk);
+  while (pool.world.readLine(line, 0)) pool.worldSaid.hear(line, talk);
+  pool.others.hear([&](const std::string& said) { tell(said, talk); });
 }
 
 // Another robot that ends in trouble takes the match with it: the world may still wait for it. One
 // that gives up while the world ends has lost that world only.
-void watchOthers(const SessionTalk& talk, Crew& crew, Ends& ends) {
-  if (ends.other || !crew.others.failed()) return;
-  if (crew.others.gaveUp() && endsSoon(crew.world)) return;
-  const std::string trouble = crew.others.trouble();
-  const bool may = crew.options.respawn || crew.others.hung();
-  const bool again = may && !crew.others.badInput() && !crew.world.ended();
-  if (again && crew.others.revive()) return tell(trouble + "; it is started again", talk);
+void watchOthers(const SessionTalk& talk, ThreadPool& pool, Ends& ends) {
+  if (ends.other || !pool.others.failed()) return;
+  if (pool.others.gaveUp() && endsSoon(pool.world)) return;
+  const std::string trouble = pool.others.trouble();
+  const bool may = pool.options.respawn || pool.others.hung();
+  const bool again = may && !pool.others.badInput() && !pool.world.ended();
+  if (again && pool.others.revive()) return tell(trouble + "; it is started again", talk);
   ends.other = true;
-  crew.world.terminate();
+  pool.world.terminate();
 }
 
 // What a dead agent has said last. One whose script hung as it loaded had no more time for
 // a complaint.
-void hearLast(int code, const SessionTalk& talk, Crew& crew) {
-  AgentTalk& said = crew.agentSaid;
+void hearLast(int code, const SessionTalk& talk, ThreadPool& pool) {
+  AgentTalk& said = pool.agentSaid;
   std::string line = "a script does not end while it loads";
-  while (crew.agent->readLine(line, 0)) said.hear(line, talk);
+  while (pool.agent->readLine(line, 0)) said.hear(line, talk);
   if (code == behaviour::kHungLoadExit && said.complaint.empty())
     said.complaint = said.early.empty() ? line : said.early.back();
 }
 
 // Starts the watched agent again if it died while the match goes on; after a script that hung
 // also without being asked to.
-bool reviveAgent(const SessionTalk& talk, Crew& crew) {
-  const int code = crew.agent->wait();
-  hearLast(code, talk, crew);
-  const bool may = crew.options.respawn || code == behaviour::kHungExit;
-  if (!may || crew.life + 1 >= kMostLives || interrupted()) return false;
-  if (code == 0 || code == 2 || endsSoon(crew.world)) return false;
-  const auto command = agentCommand(crew.options, crew.workshop, crew.life + 1);
+bool reviveAgent(const SessionTalk& talk, ThreadPool& pool) {
+  const int code = pool.agent->wait();
+  hearLast(code, talk, pool);
+  const bool may = pool.options.respawn || code == behaviour::kHungExit;
+  if (!may || pool.life + 1 >= kMaxLives || interrupted()) return false;
+  if (code == 0 || code == 2 || endsSoon(pool.world)) return false;
+  const auto command = agentCommand(pool.options, pool.runDirectory, pool.life + 1);
   auto process = Process::start(command, true);
   if (!process) return false;
-  ++crew.life;
-  crew.agent.emplace(std::move(*process));
+  ++pool.life;
+  pool.agent.emplace(std::move(*process));
   tell(fmt::format("the agent ended with code {}; it is started again", code), talk);
   return true;
 }
 
 // Runs until agent and world have ended. The world's death ends the agents (their sockets close);
 // an agent that ends in trouble takes the world with it.
-Ends waitForAll(const SessionTalk& talk, Crew& crew) {
+Ends waitForAll(const SessionTalk& talk, ThreadPool& pool) {
   Ends ends;
   bool asked = false;
   Patience patience;
-  while (!crew.agent->ended() || reviveAgent(talk, crew)) {
-    hearAll(50, talk, crew);
-    watchOthers(talk, crew, ends);
+  while (!pool.agent->ended() || reviveAgent(talk, pool)) {
+    hearAll(50, talk, pool);
+    watchOthers(talk, pool, ends);
     if (!asked && (interrupted() || (talk.over && talk.over()))) {
       asked = true;
-      crew.world.terminate();  // it ends the match, and with it the agents
+      pool.world.terminate();  // it ends the match, and with it the agents
     }
-    if ((asked || crew.world.ended()) && !ends.stuck && patience.ended(*crew.agent)) {
+    if ((asked || pool.world.ended()) && !ends.stuck && patience.ended(*pool.agent)) {
       ends.stuck = true;
-      ends.busy = patience.wasBusy(*crew.agent);
-      ends.stopped = crew.agent->stopped();
-      crew.agent->kill();
-      crew.others.kill();
+      ends.busy = patience.wasBusy(*pool.agent);
+      ends.stopped = pool.agent->stopped();
+      pool.agent->kill();
+      pool.others.kill();
     }
   }
-  ends.agent = crew.agent->wait();
-  if (ends.agent == 1) watchOthers(talk, crew, ends);
-  ends.worldAlive = ends.agent == 1 ? !endsSoon(crew.world) : !crew.world.ended();
-  if (ends.worldAlive && ends.agent != 0) crew.world.terminate();
-  ends.world = crew.world.wait();
+  ends.agent = pool.agent->wait();
+  if (ends.agent == 1) watchOthers(talk, pool, ends);
+  ends.worldAlive = ends.agent == 1 ? !endsSoon(pool.world) : !pool.world.ended();
+  if (ends.worldAlive && ends.agent != 0) pool.world.terminate();
+  ends.world = pool.world.wait();
   std::string line;
-  while (crew.agent->readLine(line, 0)) crew.agentSaid.hear(line, talk);
-  hearAll(0, talk, crew);
+  while (pool.agent->readLine(line, 0)) pool.agentSaid.hear(line, talk);
+  hearAll(0, talk, pool);
   return ends;
 }
 
 // A script is blamed only where one is asked in each frame and the agent computed on and on.
-std::string stuckHow(const Ends& ends, const Crew& crew) {
+std::string stuckHow(const Ends& ends, const ThreadPool& pool) {
   if (ends.stopped) return "the agent was stopped by a signal, and was killed";
-  if (crew.agentSaid.last.empty()) return "the agent had not begun to play and was killed";
-  const bool script = ends.busy && crew.options.driver.empty();
+  if (pool.agentSaid.last.empty()) return "the agent had not begun to play and was killed";
+  const bool script = ends.busy && pool.options.driver.empty();
   return std::string("the agent did not answer and was killed") +
          (script ? " (a script in a long call?)" : "");
 }
 
 // Who ends last has often only lost the others: the first cause is told.
-std::string troubleOf(const Ends& ends, const Crew& crew) {
-  const std::string when = "; last: " + crew.agentSaid.when();
+std::string troubleOf(const Ends& ends, const ThreadPool& pool) {
+  const std::string when = "; last: " + pool.agentSaid.when();
   if (!ends.worldAlive && ends.world >= 128)
     return fmt::format("the world died (signal {})", ends.world - 128) + when;
-  if (ends.other) return crew.others.trouble() + when;
-  if (ends.stuck) return stuckHow(ends, crew) + when;
+  if (ends.other) return pool.others.trouble() + when;
+  if (ends.stuck) return stuckHow(ends, pool) + when;
   if (ends.agent >= 128) return fmt::format("the agent died (signal {})", ends.agent - 128) + when;
-  if (ends.agent == 2) return crew.agentSaid.complaint;
-  if (!crew.worldSaid.complaint.empty()) return crew.worldSaid.complaint;
+  if (ends.agent == 2) return pool.agentSaid.complaint;
+  if (!pool.worldSaid.complaint.empty()) return pool.worldSaid.complaint;
   if (ends.agent != 0)
-    return crew.agentSaid.complaint.empty() ? "the agent gave up" : crew.agentSaid.complaint;
+    return pool.agentSaid.complaint.empty() ? "the agent gave up" : pool.agentSaid.complaint;
   if (ends.world != 0) return fmt::format("the world stopped with code {}", ends.world);
   return {};
 }
 
-void watch(const SessionTalk& talk, Crew& crew, SessionResult& result) {
-  const Ends ends = waitForAll(talk, crew);
-  result.trouble = troubleOf(ends, crew);
+void watch(const SessionTalk& talk, ThreadPool& pool, SessionResult& result) {
+  const Ends ends = waitForAll(talk, pool);
+  result.trouble = troubleOf(ends, pool);
   result.interrupted = interrupted();
   if (result.interrupted && !result.trouble.empty())
-    result.trouble = "interrupted; last: " + crew.agentSaid.when();
-  result.badInput = ends.agent == 2 || (ends.other && crew.others.badInput());
+    result.trouble = "interrupted; last: " + pool.agentSaid.when();
+  result.badInput = ends.agent == 2 || (ends.other && pool.others.badInput());
 }
 
 void keepLog(const SessionOptions& options, const SessionTalk& talk, SessionResult& result) {
@@ -310,37 +310,38 @@ SessionTalk watchLogs(const SessionOptions& options, const SessionTalk& talk,
   return watched;
 }
 
-void play(const SessionOptions& options, const SessionTalk& talk, const Workshop& workshop,
+void play(const SessionOptions& options, const SessionTalk& talk, const RunDirectory& runDirectory,
           SessionResult& result) {
-  auto world = Process::start(worldCommand(options, workshop), true);
-  auto agent = Process::start(agentCommand(options, workshop), true);
-  auto others = Others::start(options, workshop);
+  auto world = Process::start(worldCommand(options, runDirectory), true);
+  auto agent = Process::start(agentCommand(options, runDirectory), true);
+  auto others = Others::start(options, runDirectory);
   if (!world || !agent || !others) {
     result.trouble = !world ? world.error() : !agent ? agent.error() : others.error();
     return;
   }
   const bool blue = options.team == "blue";
   std::optional<Process> watched(std::move(*agent));
-  Crew crew{options, workshop, *world, watched, *others, 0, {blue, {}}, {}};
-  watch(watchLogs(options, talk, result), crew, result);
+  ThreadPool pool{options, runDirectory, *world, watched, *others, 0, {blue, {}}, {}};
+  watch(watchLogs(options, talk, result), pool, result);
   keepLog(options, talk, result);
   if (!result.trouble.empty()) return;
-  readResult(workshop.path("result.json"), blue, result);
+  readResult(runDirectory.path("result.json"), blue, result);
   if (talk.frames && options.keepFrames)
-    talk.frames(agentLog(options, workshop, 0), workshop.path("world.mcap"));
+    talk.frames(agentLog(options, runDirectory, 0), runDirectory.path("world.mcap"));
   if (!talk.all || !options.keepAll) return;
-  std::vector<std::string> logs = {agentLog(options, workshop, 0)};
-  for (const OtherRobot& robot : options.others) logs.push_back(otherLog(options, workshop, robot));
-  talk.all(logs, workshop.path("world.mcap"));
+  std::vector<std::string> logs = {agentLog(options, runDirectory, 0)};
+  for (const OtherRobot& robot : options.others)
+    logs.push_back(otherLog(options, runDirectory, robot));
+  talk.all(logs, runDirectory.path("world.mcap"));
 }
 
 }  // namespace
 
 SessionResult runSession(const SessionOptions& options, const SessionTalk& talk) {
   SessionResult result;
-  const Workshop workshop;
-  if (workshop.ready())
-    play(options, talk, workshop, result);
+  const RunDirectory runDirectory;
+  if (runDirectory.ready())
+    play(options, talk, runDirectory, result);
   else
     result.trouble = "cannot make a temporary folder";
   return result;

@@ -35,10 +35,10 @@ void addStaging(const sim::Staging& staging, Words& argv) {
 
 // What every agent of a match has in common.
 Words anyAgent(const SessionOptions& options, const std::string& team, std::uint64_t seed,
-               const Workshop& workshop, int life) {
+               const RunDirectory& runDirectory, int life) {
   Words argv = {programFolder() + "/kelpie-agent",
                 "--socket",
-                workshop.path("world"),
+                runDirectory.path("world"),
                 "--team",
                 team,
                 "--field",
@@ -59,10 +59,10 @@ Words anyAgent(const SessionOptions& options, const std::string& team, std::uint
 
 }  // namespace
 
-Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
+Words worldCommand(const SessionOptions& options, const RunDirectory& runDirectory) {
   Words argv = {programFolder() + "/kelpie-world",
                 "--socket",
-                workshop.path("world"),
+                runDirectory.path("world"),
                 "--robots",
                 std::to_string(1 + options.others.size()),
                 "--seed",
@@ -76,7 +76,7 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
                 "--goals",
                 std::to_string(options.goals),
                 "--result",
-                workshop.path("result.json"),
+                runDirectory.path("result.json"),
                 "--tell-goals",
                 options.physical ? "--physical" : "--fast"};
   const double loss = options.radio == "none" ? 1.0 : options.radioLoss;
@@ -89,24 +89,24 @@ Words worldCommand(const SessionOptions& options, const Workshop& workshop) {
   argv.push_back("--respawn");  // who may come again is the session's to say
   if (options.realTime) argv.push_back("--real-time");
   if (options.keepsLog())
-    argv.insert(argv.end(), {"--truth", partPath(options, workshop, "world.mcap")});
+    argv.insert(argv.end(), {"--truth", partPath(options, runDirectory, "world.mcap")});
   for (const auto& artefact : options.artefactsOff) argv.push_back("--no-" + artefact);
-  for (const auto& word : wordsOf(options.unlike)) argv.push_back(word);
+  for (const auto& word : wordsOf(options.randomised)) argv.push_back(word);
   addStaging(options.staging, argv);
   return argv;
 }
 
 // A log that is kept is written where it is kept: a match that is killed leaves it there.
-std::string partPath(const SessionOptions& options, const Workshop& workshop,
+std::string partPath(const SessionOptions& options, const RunDirectory& runDirectory,
                      const std::string& name) {
-  if (options.log.empty()) return workshop.path(name.c_str());
+  if (options.log.empty()) return runDirectory.path(name.c_str());
   return (fs::path(options.log).parent_path() / "playing" / name).string();
 }
 
-std::string agentLog(const SessionOptions& options, const Workshop& workshop, int life) {
+std::string agentLog(const SessionOptions& options, const RunDirectory& runDirectory, int life) {
   const std::string stem = options.log.empty() ? "agent" : fs::path(options.log).stem().string();
   const std::string number = life == 0 ? "" : "-" + std::to_string(life + 1);
-  return partPath(options, workshop, stem + number + ".mcap");
+  return partPath(options, runDirectory, stem + number + ".mcap");
 }
 
 std::string logName(const std::string& team, int player, int life) {
@@ -114,17 +114,17 @@ std::string logName(const std::string& team, int player, int life) {
   return team + "-" + std::to_string(player) + number + ".mcap";
 }
 
-std::string otherLog(const SessionOptions& options, const Workshop& workshop,
+std::string otherLog(const SessionOptions& options, const RunDirectory& runDirectory,
                      const OtherRobot& robot, int life) {
-  return partPath(options, workshop, logName(robot.team, robot.player, life));
+  return partPath(options, runDirectory, logName(robot.team, robot.player, life));
 }
 
-Words agentCommand(const SessionOptions& options, const Workshop& workshop, int life) {
-  Words argv = anyAgent(options, options.team, options.seed, workshop, life);
+Words agentCommand(const SessionOptions& options, const RunDirectory& runDirectory, int life) {
+  Words argv = anyAgent(options, options.team, options.seed, runDirectory, life);
   argv.insert(argv.end(), {"--player", std::to_string(options.player), "--status"});
   // Plain: it is compressed when it is joined with the world's.
   if (options.keepsLog())
-    argv.insert(argv.end(), {"--plain-log", "--log", agentLog(options, workshop, life)});
+    argv.insert(argv.end(), {"--plain-log", "--log", agentLog(options, runDirectory, life)});
   if (options.log.empty() && options.keepsLog())
     argv.push_back("--no-images");
   else if (options.images == ImagesKept::planes)
@@ -138,13 +138,13 @@ Words agentCommand(const SessionOptions& options, const Workshop& workshop, int 
   return argv;
 }
 
-Words otherCommand(const SessionOptions& options, const OtherRobot& robot, const Workshop& workshop,
-                   int life) {
-  Words argv = anyAgent(options, robot.team, robot.seed, workshop, life);
+Words otherCommand(const SessionOptions& options, const OtherRobot& robot,
+                   const RunDirectory& runDirectory, int life) {
+  Words argv = anyAgent(options, robot.team, robot.seed, runDirectory, life);
   argv.insert(argv.end(), {"--player", std::to_string(robot.player)});
   if (options.keepAll || options.allLogs)
     argv.insert(argv.end(), {options.keepAll ? "--no-images" : "--planes", "--log",
-                             otherLog(options, workshop, robot, life)});
+                             otherLog(options, runDirectory, robot, life)});
   addUnlessEmpty("--pycode", robot.pycode, argv);
   addEach("--params", robot.params, argv);
   addEach("--set", robot.set, argv);

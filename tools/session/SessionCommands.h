@@ -2,27 +2,28 @@
 // The command lines of the processes of a match.
 #pragma once
 
-#include "tools/cli/Workshop.h"
+#include "tools/cli/RunDirectory.h"
 #include "tools/session/SessionOptions.h"
 
 namespace kelpie::cli {
 
-std::vector<std::string> worldCommand(const SessionOptions& options, const Workshop& workshop);
+std::vector<std::string> worldCommand(const SessionOptions& options,
+                                      const RunDirectory& runDirectory);
 // Of the robot that is watched.
-std::vector<std::string> agentCommand(const SessionOptions& options, const Workshop& workshop,
-                                      int life = 0);
+std::vector<std::string> agentCommand(const SessionOptions& options,
+                                      const RunDirectory& runDirectory, int life = 0);
 // Each of its lives, of which respawned agents have several, has a log of its own.
-std::string agentLog(const SessionOptions& options, const Workshop& workshop, int life);
+std::string agentLog(const SessionOptions& options, const RunDirectory& runDirectory, int life);
 // Where a process writes a log of that name: into FOLDER/playing of a log that is kept, else into
-// the workshop.
-std::string partPath(const SessionOptions& options, const Workshop& workshop,
+// the runDirectory.
+std::string partPath(const SessionOptions& options, const RunDirectory& runDirectory,
                      const std::string& name);
 // "red-1.mcap", "red-1-2.mcap" of its second life.
 std::string logName(const std::string& team, int player, int life);
 // That of another robot, with keepAll or allLogs; so.
-std::string otherLog(const SessionOptions& options, const Workshop& workshop,
+std::string otherLog(const SessionOptions& options, const RunDirectory& runDirectory,
                      const OtherRobot& robot, int life = 0);
 std::vector<std::string> otherCommand(const SessionOptions& options, const OtherRobot& robot,
-                                      const Workshop& workshop, int life = 0);
+                                      const RunDirectory& runDirectory, int life = 0);
 
 }  // namespace kelpie::cli

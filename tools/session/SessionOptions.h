@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/cli/log/Logs.h"
-#include "tools/cli/options/UnlikeOptions.h"
+#include "tools/cli/options/RandomisationOptions.h"
 #include "tools/sim/staging/Staging.h"
 
 namespace kelpie::cli {
@@ -48,7 +48,7 @@ struct SessionOptions {
   std::string colourTable;          // file; empty: the built-in one
   std::string ring = "nominal";
   std::vector<std::string> artefactsOff;  // of kelpie-world's --no-...
-  UnlikeOptions unlike;
+  RandomisationOptions randomised;
   bool physical = true;  // bodies with masses and servos; otherwise kinematic ones
   // Where the joined log goes, in a folder of its own that has a `playing` (MatchFolder.h); empty:
   // none is kept.

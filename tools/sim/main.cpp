@@ -14,8 +14,8 @@
 #include "robot/host/radio/UdpControl.h"
 #include "tools/cli/AgentTalk.h"
 #include "tools/cli/Process.h"
+#include "tools/cli/options/RandomisationOptions.h"
 #include "tools/cli/options/StagingOptions.h"
-#include "tools/cli/options/UnlikeOptions.h"
 #include "tools/cli/options/Usage.h"
 #include "tools/sim/referee/UnusedControl.h"
 #include "tools/sim/staging/Staging.h"
@@ -42,7 +42,7 @@ struct Options {
   bool noBlur = false, noSlip = false, noSpectators = false;
   bool physical = true;
   bool noCentres = false, noShine = false, noOwnLegs = false;
-  cli::UnlikeOptions unlike;
+  cli::RandomisationOptions randomised;
   StagingWords staging;
   WorldParams world;
 };
@@ -60,7 +60,7 @@ WorldParams worldParams(const Options& options) {
   params.fast = !options.physical;
   params.rolling = !options.noRolling;
   params.spectators = !options.noSpectators;
-  params.unlike = cli::paramsOf(options.unlike);
+  params.randomised = cli::paramsOf(options.randomised);
   params.referee.controlled = options.controller != 0;
   if (options.noSlip) params.robot.slipMean = params.robot.slipSd = params.robot.driftSd = 0.0;
   return params;
@@ -208,10 +208,10 @@ LogOptions truthLogOptions() {
 
 // A log that cannot be written any more is told once, and the match goes on.
 void watchLog(const LogWriter& log, ServerHooks& hooks) {
-  hooks.beforeStep = [&log, before = hooks.beforeStep, told = false](TimeUs now) mutable {
+  hooks.beforeStep = [&log, before = hooks.beforeStep, reported = false](TimeUs now) mutable {
     before(now);
-    if (told || log.status()) return;
-    told = true;
+    if (reported || log.status()) return;
+    reported = true;
     fmt::print("{}{}{:.1f} s\n", log.status().error(), cli::kLogEndsMark, now.seconds());
     std::fflush(stdout);
   };
@@ -304,8 +304,8 @@ void describe(cli::CommandLine& app, Options& options) {
   app.flag("--no-spectators", options.noSpectators, "nobody around the field");
   app.flag("--physical,!--fast", options.physical,
            "bodies with masses, servos and contacts (the default), or kinematic ones");
-  cli::addUnlikeOptions(app, options.unlike);
-  cli::addLeanOptions(app, options.unlike);
+  cli::addRandomisationOptions(app, options.randomised);
+  cli::addLeanOptions(app, options.randomised);
 }
 
 }  // namespace

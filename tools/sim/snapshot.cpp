@@ -8,7 +8,7 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
-#include "tools/cli/options/UnlikeOptions.h"
+#include "tools/cli/options/RandomisationOptions.h"
 #include "tools/picture/CameraPicture.h"
 #include "tools/picture/PngFile.h"
 #include "tools/sim/bodies/BodyShape.h"
@@ -31,7 +31,7 @@ struct Options {
   bool wall = false;
   bool hidden = false;
   bool small = false;
-  cli::UnlikeOptions unlike;
+  cli::RandomisationOptions randomised;
 };
 
 Pose2 chosenPose(const Options& options, Random& random) {
@@ -57,7 +57,7 @@ BodyPlace placeOf(const Options& options, const Pose2& pose) {
   return place;
 }
 
-ColumnCameras cameras(BodyPlace place, const UnlikeRobot& self, double panRate) {
+ColumnCameras cameras(BodyPlace place, const RandomisedRobot& self, double panRate) {
   const Angle pan = place.joints[Joint::headPan];
   ColumnCameras columns;
   for (std::size_t x = 0; x < columns.size(); ++x) {
@@ -82,9 +82,10 @@ int run(const Options& options) {
     return 1;
   }
   Random random(options.seed);
-  const UnlikeParams unlike = cli::paramsOf(options.unlike);
-  const UnlikeRobot self = drawUnlikeRobot(unlike, options.seed, 0);
-  Scene scene = fieldScene(*field, random.next() | 1U, drawUnlikeVenue(unlike, options.seed));
+  const RandomisationParams randomised = cli::paramsOf(options.randomised);
+  const RandomisedRobot self = drawRandomisedRobot(randomised, options.seed, 0);
+  Scene scene =
+      fieldScene(*field, random.next() | 1U, drawRandomisedVenue(randomised, options.seed));
   if (options.wall) addWall(scene, outerWall(*field, 8.0, options.seed));
   if (options.hidden) hideLandmarks(scene);
   const Pose2 pose = chosenPose(options, random);
@@ -98,14 +99,14 @@ int run(const Options& options) {
                      10.0,
                      TeamColour::red,
                      random.next(),
-                     drawUnlikeRobot(unlike, options.seed, 1).uniform});
+                     drawRandomisedRobot(randomised, options.seed, 1).uniform});
   for (int i = 0; i < options.robots; ++i) {
     looks.push_back(
         {{{random.uniform(20, 340), random.uniform(20, 520)}, Angle::deg(random.uniform(0, 360))},
          10.0,
          i % 2 == 0 ? TeamColour::red : TeamColour::blue,
          random.next(),
-         drawUnlikeRobot(unlike, options.seed, static_cast<std::size_t>(i) + 1).uniform});
+         drawRandomisedRobot(randomised, options.seed, static_cast<std::size_t>(i) + 1).uniform});
   }
   setRobots(scene, looks);
   BodyPlace place = placeOf(options, pose);
@@ -147,8 +148,8 @@ int main(int argc, char** argv) {
   app.add_flag("--small", options.small, "208 x 160 pixels, as import takes them");
   app.add_flag("--ideal", options.ideal, "no artefacts");
   kelpie::cli::CommandLine line(&app);
-  kelpie::cli::addUnlikeOptions(line, options.unlike);
-  kelpie::cli::addLeanOptions(line, options.unlike);
+  kelpie::cli::addRandomisationOptions(line, options.randomised);
+  kelpie::cli::addLeanOptions(line, options.randomised);
   CLI11_PARSE(app, argc, argv);
   return kelpie::sim::run(options);
 }

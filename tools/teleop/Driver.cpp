@@ -9,17 +9,17 @@ namespace kelpie::teleop {
 namespace {
 
 constexpr double kSpeedStep = 5.0;  // cm/s
-constexpr int kMostForward = 8;     // steps: 40 cm/s, what the walk can do
-constexpr int kMostBack = 6;
-constexpr int kMostLeft = 5;
+constexpr int kMaxForward = 8;      // steps: 40 cm/s, what the walk can do
+constexpr int kMaxBack = 6;
+constexpr int kMaxLeft = 5;
 constexpr double kTurnStep = 20.0;  // deg/s
-constexpr int kMostTurn = 8;
+constexpr int kMaxTurn = 8;
 constexpr double kPanStep = 15.0;  // deg
-constexpr int kMostPan = 5;
+constexpr int kMaxPan = 5;
 constexpr double kTiltStep = 10.0;    // deg
 constexpr double kFirstTilt = -20.0;  // deg below the horizon: a ball at 50 cm is in view
-constexpr int kMostUp = 5;
-constexpr int kMostDown = 4;
+constexpr int kMaxUp = 5;
+constexpr int kMaxDown = 4;
 constexpr int kPatience = 90;  // views
 
 MotionKind gettingUp(FallSide fallen) {
@@ -48,11 +48,11 @@ void Driver::press(char key) {
 void Driver::stop() { forward_ = left_ = turn_ = 0; }
 
 void Driver::take(const KeyBinding& binding) {
-  forward_ = std::clamp(forward_ + binding.forward, -kMostBack, kMostForward);
-  left_ = std::clamp(left_ + binding.left, -kMostLeft, kMostLeft);
-  turn_ = std::clamp(turn_ + binding.turn, -kMostTurn, kMostTurn);
-  pan_ = std::clamp(pan_ + binding.pan, -kMostPan, kMostPan);
-  tilt_ = std::clamp(tilt_ + binding.tilt, -kMostDown, kMostUp);
+  forward_ = std::clamp(forward_ + binding.forward, -kMaxBack, kMaxForward);
+  left_ = std::clamp(left_ + binding.left, -kMaxLeft, kMaxLeft);
+  turn_ = std::clamp(turn_ + binding.turn, -kMaxTurn, kMaxTurn);
+  pan_ = std::clamp(pan_ + binding.pan, -kMaxPan, kMaxPan);
+  tilt_ = std::clamp(tilt_ + binding.tilt, -kMaxDown, kMaxUp);
   if (binding.motion != MotionKind::none) {
     motion_ = binding.motion;
     views_ = 0;

@@ -30,8 +30,8 @@ struct Range {
 
 // Most of its outline shows: a hidden one has a size of its own.
 bool isWhole(const BallCandidate& c) {
-  constexpr std::size_t kMostEdges = 12;
-  return c.cone.kept >= kMostEdges;
+  constexpr std::size_t kMaxEdges = 12;
+  return c.cone.kept >= kMaxEdges;
 }
 
 // By size, and by the ground below when the ray descends; weighted by their variances unless they

@@ -115,8 +115,8 @@ std::size_t countOf(Kept kept) {
 }
 
 // Fits the kept points, then whatever lies near that cone, until nothing changes. Nothing where
-// fewer than `least` lie near the first one.
-Fit refined(const Outline& outline, Kept kept, std::size_t least) {
+// fewer than `min` lie near the first one.
+Fit refined(const Outline& outline, Kept kept, std::size_t min) {
   Fit fit;
   constexpr int kRounds = 4;
   for (int round = 0; round < kRounds; ++round) {
@@ -127,7 +127,7 @@ Fit refined(const Outline& outline, Kept kept, std::size_t least) {
     fit.kept = nearTo(outline, fit.cone);
     fit.cone.kept = countOf(fit.kept);
     if (fit.kept == kept) return fit;
-    if (round == 0 && fit.cone.kept < least) return {};
+    if (round == 0 && fit.cone.kept < min) return {};
     kept = fit.kept;
   }
   return fit;
@@ -136,14 +136,14 @@ Fit refined(const Outline& outline, Kept kept, std::size_t least) {
 // The cone through three points with the most others near it: for an outline that something hides
 // in part, where the fit of all points lies between both outlines.
 Fit bestOfTriples(const Outline& outline) {
-  constexpr std::size_t kLeast = 5;  // a triple with no two others near its cone is no outline
+  constexpr std::size_t kMin = 5;  // a triple with no two others near its cone is no outline
   Fit best;
   const std::size_t n = outline.rays.size();
   for (const std::size_t gap : {2U, 3U, 5U}) {
     if (2 * gap >= n) break;
     for (std::size_t i = 0; i < n; ++i) {
       const Kept triple = bitOf(i) | bitOf((i + gap) % n) | bitOf((i + 2 * gap) % n);
-      const Fit fit = refined(outline, triple, kLeast);
+      const Fit fit = refined(outline, triple, kMin);
       if (fit.cone.valid && fit.cone.kept > best.cone.kept) best = fit;
     }
   }

@@ -102,9 +102,9 @@ void countFilled(const Scene& scene, const BandPoints& band, Tally& tally) {
 }
 
 void countBeside(const Scene& scene, const BandPoints& band, Tally& tally) {
-  const double aside = 0.5 * band.width + std::max(kBlurBeside, 0.25 * band.width);
+  const double lateral = 0.5 * band.width + std::max(kBlurBeside, 0.25 * band.width);
   for (const double along : {0.25, 0.5, 0.75}) {
-    for (const double across : {-aside, aside}) {
+    for (const double across : {-lateral, lateral}) {
       const PixelPoint at = pointOf(scene, band, along, across);
       if (Sampler::usable(at)) tally.count(scene.sampler.classAt(at) == band.colour);
     }

@@ -9,9 +9,9 @@ namespace kelpie::vision {
 namespace {
 
 constexpr std::uint16_t kNoBlob = 0xFFFF;
-constexpr int kMostSamples = 160;  // of a lattice row; the image's diagonal has 132
-constexpr int kAtOnce = 8;         // samples looked at together
-using RowClasses = std::array<std::uint8_t, kMostSamples>;
+constexpr int kMaxSamples = 160;  // of a lattice row; the image's diagonal has 132
+constexpr int kAtOnce = 8;        // samples looked at together
+using RowClasses = std::array<std::uint8_t, kMaxSamples>;
 
 bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::robotRed; }
 
@@ -41,7 +41,7 @@ void collectRuns(const Sampler& sampler, const Lattice& lattice, int rowIndex, R
   const LatticeRow row = lattice.row(rowIndex);
   counts.samples += static_cast<std::uint32_t>(row.count);
   RowClasses classes;
-  const int count = std::min(row.count, kMostSamples - kAtOnce);
+  const int count = std::min(row.count, kMaxSamples - kAtOnce);
   sampler.classifyRow(row.x, row.y, lattice.stepX(), lattice.stepY(), count, classes.data());
   std::fill_n(classes.data() + count, kAtOnce, static_cast<std::uint8_t>(ColourClass::none));
   const auto height = static_cast<std::uint8_t>(lattice.height(rowIndex));

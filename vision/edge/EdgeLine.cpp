@@ -30,7 +30,7 @@ struct Spread {
   double xy = 0.0;
   double yy = 0.0;
 
-  double least() const {  // the smaller variance of the two main directions
+  double min() const {  // the smaller variance of the two main directions
     const double half = 0.5 * (xx - yy);
     return 0.5 * (xx + yy) - std::sqrt(half * half + xy * xy);
   }
@@ -58,11 +58,11 @@ EdgeLine lineThrough(PixelPoint a, PixelPoint b, const HorizonFrame& frame) {
 
 EdgeLine lineOf(const EdgeMoments& m, const HorizonFrame& frame) {
   const Spread s = spreadOf(m);
-  const double least = s.least();
+  const double min = s.min();
   // The normal is the direction of least spread, (S - least I) n = 0; of its two rows the longer
   // one is far from 0/0.
-  const double a = s.xx - least;
-  const double b = s.yy - least;
+  const double a = s.xx - min;
+  const double b = s.yy - min;
   const double nx = a > b ? -s.xy : b;
   const double ny = a > b ? a : -s.xy;
   const double norm = std::sqrt(nx * nx + ny * ny);
@@ -70,7 +70,7 @@ EdgeLine lineOf(const EdgeMoments& m, const HorizonFrame& frame) {
   return oriented(nx / norm, ny / norm, s.mean, frame);
 }
 
-double EdgeMoments::leastSquares() const { return n * std::fmax(0.0, spreadOf(*this).least()); }
+double EdgeMoments::leastSquares() const { return n * std::fmax(0.0, spreadOf(*this).min()); }
 
 double groundCosine(const EdgeLine& a, const EdgeLine& b, const HorizonFrame& frame) {
   const Point3<Camera> p = groundDirection(a, frame);

@@ -59,8 +59,8 @@ std::optional<double> paintedShare(const Scene& scene, const CarpetColour& carpe
   const auto paint = [&](double share) {
     const PixelPoint p = between(foot, top, share);
     double sum = 0.0;
-    for (const double aside : {-1.0, 0.0, 1.0})
-      sum += paintShare(scene, carpet, colour, moved(p, scene.frame.right(), aside));
+    for (const double lateral : {-1.0, 0.0, 1.0})
+      sum += paintShare(scene, carpet, colour, moved(p, scene.frame.right(), lateral));
     return sum / 3.0;
   };
   const double pale = kPale * 0.5 * (paint(0.15) + paint(0.3));

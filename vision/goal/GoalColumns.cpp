@@ -161,12 +161,12 @@ double supportOf(const GoalCandidate& c, const GoalColumn& reference, const Goal
 // The distance of the column with the largest support; 0 when no column is measured.
 double likelyDistance(const GoalCandidate& c, const GoalFinderParams& p) {
   double best = 0.0;
-  double most = 0.0;
+  double max = 0.0;
   for (const GoalColumn& column : c.columns) {
     if (!isMeasured(c, column, p) || column.distance > p.maxDistance) continue;
     const double support = supportOf(c, column, p);
-    if (support <= most) continue;
-    most = support;
+    if (support <= max) continue;
+    max = support;
     best = column.distance;
   }
   return best;
@@ -226,14 +226,14 @@ void dropPale(GoalCandidate& c) {
   for (const GoalColumn& column : c.columns) paints.push_back(column.paint);
   if (paints.empty()) return;
   std::sort(paints.begin(), paints.end());
-  const double least = std::max(kMinPaint, kMinOfRest * paints[paints.size() * 4 / 5]);
+  const double min = std::max(kMinPaint, kMinOfRest * paints[paints.size() * 4 / 5]);
   ScratchVector<GoalColumn, kGoalColumns> kept;
   const std::size_t last = c.columns.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     // A single one at an end may be where paint and background mix.
-    const bool mixed = (i == 0 && c.columns[std::min<std::size_t>(1, last)].paint >= least) ||
-                       (i == last && last > 0 && c.columns[last - 1].paint >= least);
-    if (mixed || c.columns[i].paint >= least) kept.push_back(c.columns[i]);
+    const bool mixed = (i == 0 && c.columns[std::min<std::size_t>(1, last)].paint >= min) ||
+                       (i == last && last > 0 && c.columns[last - 1].paint >= min);
+    if (mixed || c.columns[i].paint >= min) kept.push_back(c.columns[i]);
   }
   c.columns = kept;
 }
@@ -249,8 +249,8 @@ void chooseColumns(const Scene& scene, const GoalFinderParams& p, GoalCandidate&
   const double foot = middleFoot(scene, c);
   for (GoalColumn& column : c.columns) {
     if (column.chosen || column.footCut || !column.green) continue;
-    const double aside = std::fabs(scene.frame.fromImage(column.foot).v - foot);
-    if (aside > kFootRows + 0.1 * heightOf(column)) continue;
+    const double lateral = std::fabs(scene.frame.fromImage(column.foot).v - foot);
+    if (lateral > kFootRows + 0.1 * heightOf(column)) continue;
     column.chosen = true;
     column.distance = 0.0;
   }

@@ -302,8 +302,8 @@ bool goalHasWidth(const Scene& scene, const GoalCandidate& c, const GoalFinderPa
   const double seen = visibleWidth(scene, c);
   // Anything may show between two pairs of legs.
   if (c.left.hidden && c.right.hidden) return seen >= p.minHiddenWidth && seen <= p.maxVisibleWidth;
-  const double least = c.left.open() || c.right.open() ? p.minCutWidth : p.minVisibleWidth;
-  return seen >= least && seen <= p.maxVisibleWidth;
+  const double min = c.left.open() || c.right.open() ? p.minCutWidth : p.minVisibleWidth;
+  return seen >= min && seen <= p.maxVisibleWidth;
 }
 
 bool goalIsPart(const Scene& scene, const GoalCandidate& c, const GoalFinderParams& p) {

@@ -140,9 +140,9 @@ struct Walls {
       : left(c.leftPost, c.leftBack),
         back(c.leftBack, c.rightBack),
         right(c.rightBack, c.rightPost) {}
-  // The nearest, if one is nearer than `most`.
-  Met met(Vec ray, double most) const {
-    Met nearest{nullptr, most};
+  // The nearest, if one is nearer than `max`.
+  Met met(Vec ray, double max) const {
+    Met nearest{nullptr, max};
     for (const Wall* wall : {&left, &back, &right}) {
       const double way = wall->hit(ray);
       if (!(way >= nearest.way)) nearest = {wall, way};

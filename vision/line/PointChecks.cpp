@@ -70,8 +70,8 @@ bool pointIsBelowHorizon(const Scene& scene, PixelPoint pixel) {
 }
 
 bool pointIsOutsideCorners(PixelPoint pixel, const LinePointParams& p) {
-  const double aside = std::min(pixel.x, kImageWidth - pixel.x);
-  return aside + std::min(pixel.y, kImageHeight - pixel.y) >= p.cornerBuffer;
+  const double lateral = std::min(pixel.x, kImageWidth - pixel.x);
+  return lateral + std::min(pixel.y, kImageHeight - pixel.y) >= p.cornerBuffer;
 }
 
 bool pointIsOutsideObjects(const Percepts& seen, PixelPoint pixel, const LinePointParams& p) {

@@ -53,10 +53,10 @@ Estimate bySize(const Scene& scene, const PinkPatch& patch, const PinkFinderPara
 
 PinkPercept perceptOf(const Scene& scene, const PinkPatch& patch, const PinkFinderParams& p) {
   const Estimate estimate = fused(byGround(scene, patch, p), bySize(scene, patch, p));
-  const double aside = 0.5 * (patch.extent.right - patch.extent.left);
+  const double lateral = 0.5 * (patch.extent.right - patch.extent.left);
   const double above = 0.5 * (patch.extent.upper - patch.extent.lower);
   const GroundRay ray =
-      groundRayThrough(scene.body.camera, scene.frame.beside(patch.centre, aside, above));
+      groundRayThrough(scene.body.camera, scene.frame.beside(patch.centre, lateral, above));
   const Point2<Robot> place = placeAt(scene.body.camera, ray, estimate.distance);
   PinkPercept pink;
   pink.distance = place.norm();

@@ -15,8 +15,8 @@ namespace {
 // 4.1). The lines are columns of the lattice, whose classes are known already: lines of their own
 // cost 138 k instructions a frame, these 54 k.
 constexpr int kColumnStep = 4;
-constexpr int kMostLines = 40;       // 264 px, the image's diagonal
-constexpr int kMostRows = 140;       // of the lattice
+constexpr int kMaxLines = 40;        // 264 px, the image's diagonal
+constexpr int kMaxRows = 140;        // of the lattice
 constexpr int kShadowReach = 20;     // px upwards that tell a shadow, facts-2005 section 4.2
 constexpr double kBlack = 16.0;      // Y without light; the ERS-7's darkest pixels have 17
 constexpr double kNoColour = 128.0;  // Cr and Cb of grey
@@ -26,7 +26,7 @@ struct SampledRow {
   LatticeRow row;
   int height = 1;  // lattice rows that it stands for
 };
-using SampledRows = ScratchVector<SampledRow, kMostRows>;
+using SampledRows = ScratchVector<SampledRow, kMaxRows>;
 
 struct CarpetColour {
   double y = 0.0;
@@ -57,7 +57,7 @@ struct Search {
   VisionCounts& counts;
   SampledRows rows;  // from the top down
   int nearest = 0;   // of them the first that may see the ground near enough
-  std::array<ScanLine, kMostLines> lines{};
+  std::array<ScanLine, kMaxLines> lines{};
 };
 
 // Level row of the farthest obstacle's ground. The ray's height per focal length grows along a
@@ -201,11 +201,11 @@ void keep(Search& s, ScanLine& line, int height, PixelPoint at, Obstacles& found
     line.over = true;
     return;
   }
-  const int most = static_cast<int>(s.params.maxPerLine);
-  const int counted = std::min(height, most - line.kept);
+  const int max = static_cast<int>(s.params.maxPerLine);
+  const int counted = std::min(height, max - line.kept);
   if (line.kept == 0) found.points.push_back({*place, at});
   line.kept += counted;
-  line.over = line.kept >= most;
+  line.over = line.kept >= max;
   const bool ahead =
       std::fabs(place->x) <= s.params.aheadSide && place->y > 0.0 && place->y <= s.params.aheadFar;
   if (ahead) found.ahead = static_cast<std::uint16_t>(found.ahead + counted);
@@ -227,7 +227,7 @@ void walkRow(Search& s, int index, Obstacles& found) {
   const std::int32_t stepX = s.scene.lattice.stepX();
   const std::int32_t stepY = s.scene.lattice.stepY();
   const int first = (row.first + kColumnStep - 1) & -kColumnStep;
-  const int end = std::min(row.first + row.count, kColumnStep * kMostLines);
+  const int end = std::min(row.first + row.count, kColumnStep * kMaxLines);
   std::int32_t x = row.x + (first - row.first) * stepX;
   std::int32_t y = row.y + (first - row.first) * stepY;
   ScanLine* line = &s.lines[static_cast<std::size_t>(first) / kColumnStep];

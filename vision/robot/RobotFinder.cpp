@@ -113,8 +113,8 @@ double distanceSd(const Scene& scene, const PatchGroup& group, const RobotFinder
 }
 
 RobotPercept perceptOf(const Scene& scene, const PatchGroup& group, const RobotFinderParams& p) {
-  const double aside = 0.5 * (group.left + group.right) - scene.frame.along(group.centre);
-  const PixelPoint middle = moved(group.centre, scene.frame.right(), aside);
+  const double lateral = 0.5 * (group.left + group.right) - scene.frame.along(group.centre);
+  const PixelPoint middle = moved(group.centre, scene.frame.right(), lateral);
   const GroundRay ray = groundRayThrough(scene.body.camera, middle);
   const Point2<Robot> place = placeAt(scene.body.camera, ray, group.distance + p.depth);
   RobotPercept robot;

@@ -7,7 +7,7 @@ import math
 import kelpie
 from arbiter.skill import Skill
 from lib.geom import clamp, from_field, wrap
-from lib.ways import point_of
+from lib.paths import point_of
 from safety import own_box
 
 GAIN = 3.0          # cm/s per cm

@@ -13,8 +13,8 @@ from skills.head.track_ball import TrackBall
 SPEED = 40.0         # cm/s
 TURN_GAIN = 2.0      # deg/s per deg
 TURN_SPEED = 100.0  # deg/s
-ASIDE = 4.0          # cm at most beside the ball's middle
-ASIDE_GAIN = 0.1     # cm per deg that the goal is aside
+LATERAL = 4.0          # cm at most beside the ball's middle
+LATERAL_GAIN = 0.1     # cm per deg that the goal is aside
 FACED = 50.0         # deg: turn to the ball first
 LONGEST = 4.0        # s
 BACK = 110.0         # deg: it is not driven on when the goal lies so far off its way
@@ -43,8 +43,8 @@ class Dribble(Machine):
         if abs(wanted) > BACK:
             return self.enter(world, self.ended, None, 'the goal is {} deg off its way', wanted)
         # To send it left one hits its right side.
-        aside = clamp(ASIDE_GAIN * wanted, -ASIDE, ASIDE)
-        bearing = heading(ball.x + aside, ball.y)
+        lateral = clamp(LATERAL_GAIN * wanted, -LATERAL, LATERAL)
+        bearing = heading(ball.x + lateral, ball.y)
         turn = clamp(TURN_GAIN * bearing, -TURN_SPEED, TURN_SPEED)
         forward = 0.0 if abs(bearing) > FACED else SPEED * math.cos(math.radians(bearing))
         walk = kelpie.WalkRequest(forward=forward, turn_deg=turn, kind=kelpie.WALK_FAST)

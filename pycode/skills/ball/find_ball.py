@@ -15,7 +15,7 @@ from situation.memory import NEVER, Memory
 from skills.ball import lost_ball
 from skills.ball.doubt import Doubt
 from skills.ball.explored import Explored
-from skills.ball.lost_ball import MOST_SCAN, Situation, first_step, scan_half_width, scan_limits
+from skills.ball.lost_ball import MAX_SCAN, Situation, first_step, scan_half_width, scan_limits
 from skills.ball.spin_for_ball import SpinForBall
 from skills.head.scan_for_ball import ScanForBall, head_params
 from skills.head.track_ball import TrackBall, believed
@@ -46,10 +46,10 @@ def remembered(world) -> Memory:
 def side_of(world, before) -> float:
     """The side on which the ball is believed, +1 left; as before when nobody knows, or when it is
     straight ahead and noise would decide."""
-    aside = world.ball.heading_deg
-    if not world.ball.present or abs(aside) < ONE_SIDE:
+    lateral = world.ball.heading_deg
+    if not world.ball.present or abs(lateral) < ONE_SIDE:
         return before
-    return 1.0 if aside > 0.0 else -1.0
+    return 1.0 if lateral > 0.0 else -1.0
 
 
 def taken(world) -> bool:
@@ -150,7 +150,7 @@ class FindBall(Machine):
         """Pans of the scan: all that the head reaches without a belief."""
         ball = world.ball
         if not self.believes(world):
-            return scan_limits(0.0, MOST_SCAN)
+            return scan_limits(0.0, MAX_SCAN)
         half = scan_half_width(ball_sd(ball.covariance), ball.distance, world.heading_sd_deg)
         return scan_limits(ball.heading_deg, half)
 

@@ -10,8 +10,8 @@ import kelpie
 from arbiter.machine import Machine
 from lib import search_places
 from lib.geom import from_field
+from lib.paths import SILENT_S
 from lib.steer import aim_at, towards
-from lib.ways import SILENT_S
 from situation.time_to import FRESH_S, heard_of
 from skills.ball.spin_for_ball import SpinForBall
 from skills.head.watch import Scan
@@ -49,8 +49,8 @@ class FindTogether(Machine):
 
     def step(self, world) -> kelpie.Command:
         """A Command, or None: the own search goes on."""
-        told = heard_of(world)
-        if told is not None and math.hypot(*from_field(world.pose, *told)) > NEAR:
+        reported = heard_of(world)
+        if reported is not None and math.hypot(*from_field(world.pose, *reported)) > NEAR:
             if self.state != self.follow:
                 self.enter(world, self.follow, None, 'seen by a mate {} s ago',
                            world.team_ball.seconds_since_seen)

@@ -41,38 +41,38 @@ START_S = 0.5            # for the motion to begin
 LONGEST_S = 2.0  # s
 PAWS_NEAR = 3.0  # cm,
 PAWS_FAR = 11.0  # cm ahead of the neck: there a gripped ball lies,
-PAWS_ASIDE = 4.0                  # and so far aside (docs/physical-body.md)
+PAWS_LATERAL = 4.0                  # and so far aside (docs/physical-body.md)
 
 
-def walk_kind(away, aside, last):
+def walk_kind(away, lateral, last):
     """The walk for a point that far away and aside, when `last` is walked. Each is left later than
     it is begun: two walks that took turns every frame cost the odometry 15 deg in a second."""
-    if abs(aside) > (SPIN_UNTIL if last == kelpie.WALK_TURNING else SPIN_FROM):
+    if abs(lateral) > (SPIN_UNTIL if last == kelpie.WALK_TURNING else SPIN_FROM):
         return kelpie.WALK_TURNING
     fast = last == kelpie.WALK_FAST
-    if away > FAST_FROM and abs(aside) < (FAST_UNTIL if fast else FAST_WITHIN):
+    if away > FAST_FROM and abs(lateral) < (FAST_UNTIL if fast else FAST_WITHIN):
         return kelpie.WALK_FAST
     return kelpie.WALK
 
 
 def approach(point, last=kelpie.WALK) -> kelpie.WalkRequest:
     """Straight at a point of the robot frame: walk(d cos h, 0, 0.9 h), section 6.3.3."""
-    away, aside = math.hypot(*point), heading(*point)
-    ahead = math.cos(math.radians(aside))
-    return kelpie.WalkRequest(forward=max(0.0, away * ahead), left=0.0, turn_deg=TURN_GAIN * aside,
-                              kind=walk_kind(away, aside, last))
+    away, lateral = math.hypot(*point), heading(*point)
+    ahead = math.cos(math.radians(lateral))
+    return kelpie.WalkRequest(forward=max(0.0, away * ahead), left=0.0,
+                              turn_deg=TURN_GAIN * lateral, kind=walk_kind(away, lateral, last))
 
 
-def limited(request, aside) -> kelpie.WalkRequest:
+def limited(request, lateral) -> kelpie.WalkRequest:
     """What the legs can do of it, no slower ahead than a grab needs, and turned to twice as fast
     as the thesis has it: 0.9 /s would curve past a ball 30 deg aside."""
     if request.kind == kelpie.WALK_TURNING:
-        speed = clamp(3.0 * aside, -SPIN_SPEED, SPIN_SPEED)
+        speed = clamp(3.0 * lateral, -SPIN_SPEED, SPIN_SPEED)
         return kelpie.WalkRequest(turn_deg=speed, kind=kelpie.WALK_TURNING)
-    if abs(aside) < 60.0:
-        request.forward = max(request.forward, CLOSING * math.cos(math.radians(aside)))
+    if abs(lateral) < 60.0:
+        request.forward = max(request.forward, CLOSING * math.cos(math.radians(lateral)))
     if request.kind == kelpie.WALK:
-        request.forward = min(request.forward, SPEED * max(0.2, math.cos(math.radians(aside))))
+        request.forward = min(request.forward, SPEED * max(0.2, math.cos(math.radians(lateral))))
     request.turn_deg = clamp(2.0 * request.turn_deg, -TURN_SPEED, TURN_SPEED)
     return request
 
@@ -87,9 +87,9 @@ def can_grab(ball, velocity, turn_lost) -> bool:
     the paws in one of the next six frames."""
     x, y = ball
     vx, vy = velocity
-    most = AHEAD if turn_lost > TURNED else AHEAD * AFTER_TURN
+    maximum = AHEAD if turn_lost > TURNED else AHEAD * AFTER_TURN
     for _ in range(PREDICTED if vx or vy else 1):
-        if abs(x) < SIDE and 0.0 < y and math.hypot(x, y) < most:
+        if abs(x) < SIDE and 0.0 < y and math.hypot(x, y) < maximum:
             return True
         x, y, vx, vy = x + vx, y + vy, DRAG * vx, DRAG * vy
     return False
@@ -139,7 +139,7 @@ class Grab(Machine):
 
     def watch_paws(self, world, x, y):
         """A referee counts a ball as held that only lies there."""
-        if abs(x) > PAWS_ASIDE or not PAWS_NEAR < y < PAWS_FAR:
+        if abs(x) > PAWS_LATERAL or not PAWS_NEAR < y < PAWS_FAR:
             self.inside_s = None
         elif self.inside_s is None:
             self.inside_s = world.time_s

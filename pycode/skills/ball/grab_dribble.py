@@ -30,12 +30,12 @@ FARTHEST = 35.0         # cm from the place of the grab by odometry (rule: 50 cm
 SETTLE = 0.13           # s after the grab
 FEEL = 0.5              # s within which a caught ball is felt (docs/physical-body.md: 0.22)
 STEADY = 0.17           # s that it stands before a kick,
-STEADY_MOST = 0.4       # s at most until it is still:
+STEADY_MAX = 0.4       # s at most until it is still:
 STILL = 5.0             # cm/s,
 STILL_TURN = 15.0       # deg/s; out of a turn balls went 6 deg aside, out of a
                                   # walk half as far
 TURN_GAIN = 4.0         # deg/s per deg
-LEAST_TURN = 25.0       # deg/s: the dribble walk hardly turns slower
+MIN_TURN = 25.0       # deg/s: the dribble walk hardly turns slower
 DELAY = 0.13            # s from a command to the body's turn
 CARRY_UNTIL = 1.8       # [0.9, 3.6] s: later there is no time for a way that matters
 CARRY_TO = 65.0         # [32.5, 130] cm to the goal from which carrying on helps no more: of 52
@@ -56,8 +56,8 @@ def turn_towards(world, degrees) -> float:
     rate = world.odometry.turn_deg / max(world.elapsed_s, 0.02)
     left = degrees - DELAY * clamp(rate, -TURN_SPEED, TURN_SPEED)
     wanted = clamp(TURN_GAIN * left, -TURN_SPEED, TURN_SPEED)
-    if abs(wanted) < LEAST_TURN:
-        wanted = math.copysign(LEAST_TURN, wanted) if abs(left) > 1.5 else 0.0
+    if abs(wanted) < MIN_TURN:
+        wanted = math.copysign(MIN_TURN, wanted) if abs(left) > 1.5 else 0.0
     return wanted
 
 
@@ -134,8 +134,8 @@ class GrabDribble(Machine):
 
     def give_up(self, world, why, *numbers):
         self.lost_ball = True
-        distance, aside = hints.of_dribble(-1.0 if self.turn_side < 0.0 else 1.0)
-        self.hint = distance, aside if abs(self.hold.turned) > 20.0 else 0.0
+        distance, lateral = hints.of_dribble(-1.0 if self.turn_side < 0.0 else 1.0)
+        self.hint = distance, lateral if abs(self.hold.turned) > 20.0 else 0.0
         return self.enter(world, self.ended, None, why, *numbers)
 
     # States
@@ -203,7 +203,7 @@ class GrabDribble(Machine):
         speed = math.hypot(world.odometry.forward, world.odometry.left) / seconds
         turn = abs(world.odometry.turn_deg) / seconds
         stands = speed < STILL and turn < STILL_TURN
-        return self.since(world) > (STEADY if stands else STEADY_MOST)
+        return self.since(world) > (STEADY if stands else STEADY_MAX)
 
     def search_turn(self, world):
         """Goal not seen and pose not sure: turn the shorter way by what the pose says."""
@@ -247,13 +247,13 @@ class GrabDribble(Machine):
 
     def fire(self, world, choice):
         """Kicks or lets go, as (choice, reason, numbers...) says."""
-        what, reason, *told = choice
+        what, reason, *reported = choice
         self.steps_back = (not isinstance(what, int) or
                            near(world.sensors.head_near_distance, DEFAULT))
         if isinstance(what, int):
-            self.enter(world, self.kick, Kick(world, what), reason, *told)
+            self.enter(world, self.kick, Kick(world, what), reason, *reported)
         else:
-            self.enter(world, self.release, Release(world), reason, *told)
+            self.enter(world, self.release, Release(world), reason, *reported)
 
     def kick(self, world):
         command = carry()

@@ -15,7 +15,7 @@ HINT_FRAMES = 15         # a hint holds that long (facts-2005 section 7.1)
 SCAN_FRAMES = 30         # 1 s
 BACK_OFF_WITHIN = 40.0   # cm
 LEFT_FRAMES = 60         # since a hint farther than that or so far aside: the ball was sent away
-LEFT_ASIDE = 20.0        # deg
+LEFT_BEARING = 20.0        # deg
 BACK_OFF_FRAMES = 45     # a wall behind, or a ball that rolls after us, must not hold it for ever
 IR_NEAR = 12.0           # cm; the carpet, the head as far down as it looks, reads 14
 LOW_NECK = -34.0         # deg; a neck that holds a ball is lower, and the carpet as near
@@ -28,8 +28,8 @@ BLOCKS = (kelpie.BLOCK, kelpie.BLOCK_LEFT, kelpie.BLOCK_RIGHT)
 
 MAX_PAN = 88.0  # deg
 SCAN_SDS = 2.0           # G37: standard deviations to either side of the ball
-LEAST_SCAN = 20.0        # deg; half the image is 28
-MOST_SCAN = 90.0  # deg
+MIN_SCAN = 20.0        # deg; half the image is 28
+MAX_SCAN = 90.0  # deg
 SPIN_SPEED = 55.0        # deg/s, of thesis 2006 algorithm 6.2
 SPIN_MORE = 1.1          # times as fast for a near ball; misprinted 0.9, G38
 SPIN_NEAR = 20.0  # cm,
@@ -44,7 +44,7 @@ class Situation:
 
     def __init__(self, frame=0, lost=BELIEF_FRAMES, force_until=-1, hint_frame=None, ir=math.inf,
                  close_lost=10000, blocking=False, believed=False, distance=math.inf, left=False,
-                 backed=0, scanned=0, reach=MOST_SCAN, turned=0.0, unseen=36):
+                 backed=0, scanned=0, reach=MAX_SCAN, turned=0.0, unseen=36):
         self.frame = frame
         self.lost = lost                # frames since vision saw the ball
         self.force_until = force_until  # the last frame of a forced look
@@ -65,7 +65,7 @@ class Situation:
 def sent_away(hint, frame) -> bool:
     """Whether a hint (distance, heading, frame) says that the ball left the feet a moment ago."""
     return (hint is not None and frame - hint[2] < LEFT_FRAMES
-            and (hint[0] > BACK_OFF_WITHIN or abs(hint[1]) > LEFT_ASIDE))
+            and (hint[0] > BACK_OFF_WITHIN or abs(hint[1]) > LEFT_BEARING))
 
 
 def use_forced(now) -> bool:
@@ -132,7 +132,7 @@ def scan_half_width(ball_sd, distance, heading_sd_deg) -> float:
     """Degrees that a scan goes to either side of the ball (G37, in place of the lost algorithm
     6.1), from the ball's standard deviation in cm at its distance and the robot's own."""
     seen_under = math.degrees(math.atan2(ball_sd, max(distance, 1.0)))
-    return clamp(SCAN_SDS * (seen_under + heading_sd_deg), LEAST_SCAN, MOST_SCAN)
+    return clamp(SCAN_SDS * (seen_under + heading_sd_deg), MIN_SCAN, MAX_SCAN)
 
 
 def scan_limits(ball_heading, half_width) -> tuple[float, float]:

@@ -37,8 +37,8 @@ class Look:
     RETURN = 0.25            # s at the angle of before, then at where gps has the ball
     BELIEVED = 0.4  # s
     LOST = 0.25              # s unseen while it is looked at
-    TOLD = 0.5  # s,
-    TOLD_EVERY = 2.0  # s of looking to where mates see it, out of so many
+    REPORTED = 0.5  # s,
+    REPORTED_EVERY = 2.0  # s of looking to where mates see it, out of so many
 
 
 def side_of(x) -> float:
@@ -48,7 +48,7 @@ def side_of(x) -> float:
 
 class Hints:
     """What a goalie's head is told of the pose, and of the ball by mates: nothing."""
-    told = None            # where mates see a ball that the goalie has lost
+    reported = None            # where mates see a ball that the goalie has lost
     pose_lost = False      # a survey now, unless a ball comes
     gave_in_s = -math.inf  # when a jump of the pose was believed: a survey once the ball is far
 
@@ -63,7 +63,7 @@ class GoalieHead(Machine):
         self.memory = memory
         self.hints = hints
         self.free = False
-        self.was_told = None  # where mates last saw a ball that the goalie has lost
+        self.mates_saw = None  # where mates last saw a ball that the goalie has lost
         self.surveyed_s = -math.inf   # the last frame of a survey
         self.tracked = 0.0    # cm to the ball when it was last tracked
         self.glances = 0
@@ -88,7 +88,7 @@ class GoalieHead(Machine):
         return look_at(ball.x, ball.y, Watch.BALL_HEIGHT, world.stance)
 
     def track(self, world):
-        self.was_told = None
+        self.mates_saw = None
         self.tracked = world.ball.distance
         if not seen(world, Look.LOST):
             return self.regain_ball(world)
@@ -194,21 +194,21 @@ class GoalieHead(Machine):
             return self.enter(world, self.survey, None, 'the pose is lost')
         if self.skill is None:
             self.skill = self.scan(world)
-        if self.hints.told is not None:
-            return self.look_where_told(world)
-        if self.was_told is not None:   # from there on it is looked for again
-            x, y = from_field(world.pose, *self.was_told)
-            self.was_told = None
+        if self.hints.reported is not None:
+            return self.look_where_mates_saw(world)
+        if self.mates_saw is not None:   # from there on it is looked for again
+            x, y = from_field(world.pose, *self.mates_saw)
+            self.mates_saw = None
             self.skill = PointScan(world,
                                    side_of(x) if math.hypot(x, y) < Looks.NEAR else 0.0)
         return self.skill.step(world)
 
-    def look_where_told(self, world):
+    def look_where_mates_saw(self, world):
         """There, and between two such looks on with the scan: a mate may be wrong."""
-        self.was_told = self.hints.told
-        if math.fmod(self.since(world), Look.TOLD_EVERY) > Look.TOLD:
+        self.mates_saw = self.hints.reported
+        if math.fmod(self.since(world), Look.REPORTED_EVERY) > Look.REPORTED:
             return self.skill.step(world)
-        x, y = from_field(world.pose, *self.hints.told)
+        x, y = from_field(world.pose, *self.hints.reported)
         return look_at(x, y, Watch.BALL_HEIGHT, world.stance)
 
     def turn_side(self, world) -> float:

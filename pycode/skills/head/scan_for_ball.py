@@ -16,7 +16,7 @@ LOW_SPEED = 8.0   # deg per frame
 HIGH_SPEED = 9.0  # deg per frame
 LOOK_DOWN_TILT = -30.0               # deg, where a ball at the feet may be (facts-2005 7.2)
 LOOK_DOWN_WITHIN = 40.0              # deg of pan
-LEAST_NOD = -5.0                     # deg; with the neck up the head would touch it (openr.md 5.6)
+MIN_NOD = -5.0                     # deg; with the neck up the head would touch it (openr.md 5.6)
 # deg above the horizon: from 20 cm away to the horizon all is in the image, 45 deg high. Ours, for
 # who does not know where the ball is; rows of joint angles look up at the sides of a leaning body.
 LEVEL = -20.0
@@ -32,7 +32,7 @@ PATIENCE_S = 0.3                     # beyond a row's time, for a pan that does 
 def head_params(pan, tilt, crane, speed=0.0) -> kelpie.HeadRequest:
     """Joint angles as the theses name them: pan, tilt of the neck, crane of the nod. What the nod
     may not go down the neck does."""
-    nod = max(crane, LEAST_NOD)
+    nod = max(crane, MIN_NOD)
     return kelpie.HeadRequest(head_pan_deg=clamp(pan, -MAX_PAN, MAX_PAN),
                               neck_tilt_deg=tilt + crane - nod, head_nod_deg=nod, speed_deg=speed)
 
@@ -65,7 +65,7 @@ class ScanForBall(Skill):
         end = self.next_end(world, -MAX_PAN, MAX_PAN, LEVEL_SPEED)
         speed = LEVEL_SPEED * FRAMES_PER_S
         if self.frames <= FEET_FRAMES:
-            return head_params(end, FEET_TILT, LEAST_NOD, speed)
+            return head_params(end, FEET_TILT, MIN_NOD, speed)
         return kelpie.HeadRequest(aim=kelpie.AIM_DIRECTION, direction_deg=end, elevation_deg=LEVEL,
                                   speed_deg=speed)
 

@@ -6,7 +6,7 @@
 # cm/s: an attacker that comes with 40 from behind is not outrun.
 import kelpie
 from arbiter.skill import Skill
-from lib import ways
+from lib import paths
 from lib.geom import from_field
 from lib.steer import facing
 
@@ -24,7 +24,7 @@ class AvoidAttacker(Skill):
     @staticmethod
     def lane(world, lanes, kind, avoids):
         """The first of that kind that the robot stands in; `avoids`: it does so already."""
-        here = ways.point_of(world.pose)
+        here = paths.point_of(world.pose)
         for lane in lanes:
             if lane.kind == kind and lane.gap(here) < lane.clearance + (STAYS if avoids else 0.0):
                 return lane
@@ -33,10 +33,10 @@ class AvoidAttacker(Skill):
     def step(self, world, asked) -> kelpie.WalkRequest:
         """`asked`: the lane to leave, and where the ball is on the field, or None."""
         lane, ball = asked
-        here = ways.point_of(world.pose)
+        here = paths.point_of(world.pose)
         self.kind, self.gap = lane.kind, lane.gap(here)
         place = lane.way_off(world.field, here)
-        return facing(from_field(world.pose, *place), ways.aside_of(world, ball), speed=SPEED)
+        return facing(from_field(world.pose, *place), paths.bearing_of(world, ball), speed=SPEED)
 
     def explain(self, trace) -> None:
         trace.append((kelpie.LAYER_SKILL, self.NAME, WHY[self.kind], '{} cm off its way',

@@ -14,7 +14,7 @@ from safety.own_box import clear_of, held_off
 from skills.head.track_ball import TrackBall
 
 FAR = 100.0      # cm to the ball (U02)
-ASIDE = 55.0     # cm from the ball's line, where the goalie's kick does not come
+LATERAL = 55.0     # cm from the ball's line, where the goalie's kick does not come
 EDGE = 25.0      # cm from the side line
 ARRIVED = 6.0    # cm
 SPEED = 26.0     # cm/s
@@ -40,9 +40,9 @@ def place_to_stand(field, robot, ball) -> tuple[str, tuple[float, float]]:
     if robot[1] < top and not left < robot[0] < right:
         return 'corner', (left if robot[0] <= left else right, top)
     side = 1.0 if robot[0] >= ball[0] else -1.0
-    x = ball[0] + side * ASIDE
+    x = ball[0] + side * LATERAL
     if not EDGE <= x <= field.width - EDGE:
-        x = ball[0] - side * ASIDE
+        x = ball[0] - side * LATERAL
     return 'aside', (clamp(x, EDGE, field.width - EDGE), top)
 
 
@@ -95,9 +95,9 @@ class AvoidOwnBox(Machine):
         robot = (world.pose.position.x, world.pose.position.y)
         vx, vy = step_towards(world.field, robot, place)
         right, ahead = from_field(world.pose, robot[0] + vx, robot[1] + vy)
-        aside = heading(world.ball.relative.x, world.ball.relative.y)
+        lateral = heading(world.ball.relative.x, world.ball.relative.y)
         return kelpie.WalkRequest(forward=ahead, left=-right,
-                                  turn_deg=clamp(TURN_GAIN * aside, -TURN_SPEED, TURN_SPEED))
+                                  turn_deg=clamp(TURN_GAIN * lateral, -TURN_SPEED, TURN_SPEED))
 
     def explain(self, trace) -> None:
         trace.append((self.LAYER, self.NAME, self.branch, self.why, *self.numbers))

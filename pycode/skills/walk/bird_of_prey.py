@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # Goes home on a curve round whoever stands on the way, without slowing down (Bird of Prey, thesis
-# 2006 section 4.3.3, figure 4.6). Keeps the bend of the way, which lib/ways.py chooses five times a
-# second from what is known of others. With world.task.bird_of_prey off it goes straight. Whoever
+# 2006 section 4.3.3, figure 4.6). Keeps the bend of the way, which lib/paths.py chooses five times
+# a second from what is known of others. With world.task.bird_of_prey off it goes straight. Whoever
 # walks into its way is seen late: paws (skills/walk/paw_stuck.py) are the last resort.
 import math
 
 import kelpie
 from arbiter.skill import Skill
-from lib import ways
+from lib import paths
 from lib.geom import from_field, heading, polar
 from lib.steer import towards
 
@@ -33,13 +33,13 @@ class BirdOfPrey(Skill):
         self.choose_bend(world, place)
         # Near the end an arc is as good as straight; its bend would lead round the place.
         share = min(1.0, self.away / FAST_FROM)
-        aside = heading(x, y) + share * self.bend
+        lateral = heading(x, y) + share * self.bend
         speed = {}
         within = FAST_UNTIL if world.last_command.walk.kind == kelpie.WALK_FAST else FAST_WITHIN
-        fast = self.away > FAST_FROM and abs(aside) < within
+        fast = self.away > FAST_FROM and abs(lateral) < within
         if fast:
             speed = {'speed': FAST_SPEED}
-        walk = towards(polar(self.away, aside), **speed)
+        walk = towards(polar(self.away, lateral), **speed)
         walk.kind = kelpie.WALK_FAST if fast else kelpie.WALK
         return walk
 
@@ -51,8 +51,8 @@ class BirdOfPrey(Skill):
         if not world.task.bird_of_prey:
             self.bend = 0.0
             return
-        here = ways.point_of(world.pose)
-        self.bend = ways.best_bend(ways.others(world), here, place, world.field, self.bend)
+        here = paths.point_of(world.pose)
+        self.bend = paths.best_bend(paths.others(world), here, place, world.field, self.bend)
 
     def explain(self, trace) -> None:
         branch = 'straight' if self.bend == 0.0 else 'left' if self.bend > 0.0 else 'right'

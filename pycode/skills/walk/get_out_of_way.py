@@ -13,7 +13,7 @@ class GetOutOfWay(AvoidAttacker):
 
     def __init__(self, role=kelpie.STRIKER):
         super().__init__()
-        self.most = FRAMES.get(role, 45)
+        self.maximum = FRAMES.get(role, 45)
         self.left = 0         # frames for which the last lane is still kept
         self.kept = None
 
@@ -21,7 +21,7 @@ class GetOutOfWay(AvoidAttacker):
         """Once a frame."""
         holders = [lane for lane in lanes if lane.kind == 'holds']
         if holders:
-            self.kept, self.left = holders, self.most
+            self.kept, self.left = holders, self.maximum
         elif self.left > 0:
             self.left -= 1
 

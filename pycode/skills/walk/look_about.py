@@ -12,7 +12,7 @@ from situation.ball_at_body import under_chin
 
 BACK_OFF = -15.0     # cm/s from a ball under the chin
 TURN = 110.0         # deg/s to the side where a near ball was lost,
-MOST_TURNED = 105.0  # deg from up-field (who faces wrong is turned back), and slower
+MAX_TURNED = 105.0  # deg from up-field (who faces wrong is turned back), and slower
 KICKED_TURN = 70.0   # deg/s after a kick: a ball at the flank then rolls 20 cm and no farther
 
 
@@ -29,7 +29,7 @@ class LookAbout(Skill):
         moved = not self.now.seen_since_motion
         if side != 0.0:
             rate = KICKED_TURN if moved and self.now.kicked else TURN
-            return kelpie.WalkRequest(turn_deg=up_field(self.now, side * rate, MOST_TURNED))
+            return kelpie.WalkRequest(turn_deg=up_field(self.now, side * rate, MAX_TURNED))
         if moved:
             return kelpie.WalkRequest()
         back = BACK_OFF if under_chin(world) else 0.0

@@ -59,19 +59,19 @@ class TakePlace(Machine):
     def walk_there(self, world):
         place = self.place(world)
         point = from_field(world.pose, *place)
-        away, aside = math.hypot(*point), wrap(UP_FIELD_DEG - world.pose.heading_deg)
-        if away < IN and abs(aside) < TURNED:
+        away, lateral = math.hypot(*point), wrap(UP_FIELD_DEG - world.pose.heading_deg)
+        if away < IN and abs(lateral) < TURNED:
             return self.enter(world, self.stand, None, 'at its place')
         if away < NEAR:
-            walk = facing(point, aside, speed=SLOW)
+            walk = facing(point, lateral, speed=SLOW)
         else:
             walk = self.bird.step(world, place)
         return kelpie.Command(walk=walk, head=Sweep().step(world, world.time_s))
 
     def stand(self, world):
         away = math.hypot(*from_field(world.pose, *self.place(world)))
-        aside = wrap(UP_FIELD_DEG - world.pose.heading_deg)
-        if away > OUT or abs(aside) > TURN_AGAIN:
+        lateral = wrap(UP_FIELD_DEG - world.pose.heading_deg)
+        if away > OUT or abs(lateral) > TURN_AGAIN:
             return self.enter(world, self.walk_there, self.bird, '{} cm off its place', away)
         return kelpie.Command(head=Sweep().step(world, world.time_s))
 

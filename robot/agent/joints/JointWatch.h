@@ -19,7 +19,7 @@ struct JointWatchParams {
 constexpr std::size_t kWatchedMessages = 4;  // two vectors in flight, and the servo's lag
 
 struct JointWatchState {
-  std::array<JointAngles, kWatchedMessages> told{};  // the oldest at `next`
+  std::array<JointAngles, kWatchedMessages> reported{};  // the oldest at `next`
   std::size_t next = 0;
   std::uint32_t messages = 0;               // known
   std::array<double, kJointCount> apart{};  // s
@@ -30,6 +30,6 @@ struct JointWatchState {
 // as stuck until all joints are limp, wherever the robot lies down meanwhile.
 std::optional<Joint> step(const MotionInput& in, const JointWatchParams& params,
                           JointWatchState& state);
-void told(const JointAngles& targets, JointWatchState& state);
+void reported(const JointAngles& targets, JointWatchState& state);
 
 }  // namespace kelpie::agent

@@ -141,7 +141,7 @@ Rest restIn(const MotorsIn& in, const MotorsState& state) {
 
 // A robot that stays as it is found tells of a pause, too; and of a camera that is silent where it
 // would else ask for the head to be pressed.
-Rest toldIn(const MotorsIn& in, const MotorsState& state) {
+Rest reasonIn(const MotorsIn& in, const MotorsState& state) {
   const Rest rest = restIn(in, state);
   const bool says = in.cause.rest == Rest::paused ||
                     (in.cause.rest != Rest::none && state.phase == MotorPhase::waiting);
@@ -170,7 +170,7 @@ MotorsOut step(const MotorsIn& in, const MotorsParams& params, MotorsState& stat
   stepPhase(in, params, state);
   state.hadPower = in.report.motorPower;
   state.held = holds(state.phase) ? in.held : 0U;
-  return {restIn(in, state), toldIn(in, state), orderIn(in, params, state), state.tookPress};
+  return {restIn(in, state), reasonIn(in, state), orderIn(in, params, state), state.tookPress};
 }
 
 }  // namespace kelpie::agent

@@ -57,15 +57,15 @@ struct MotorsIn {
 };
 
 struct MotorsOut {
-  Rest rest = Rest::starting;  // what the body does
-  Rest told = Rest::starting;  // why, for people
+  Rest rest = Rest::starting;      // what the body does
+  Rest reported = Rest::starting;  // why, for people
   MotorOrder order;
   bool tookPress = false;  // the hand on the head asks for power, and tells nothing of the game
 
   template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("rest", &MotorsOut::rest, "", 0, kRestCount - 1),
-                     field("told", &MotorsOut::told, "", 0, kRestCount - 1),
+                     field("reported", &MotorsOut::reported, "", 0, kRestCount - 1),
                      field("order", &MotorsOut::order), field("tookPress", &MotorsOut::tookPress));
   }
 };

@@ -35,7 +35,9 @@ class AgentLoops : public Loops {
   void hear(const ControlPacket& packet, TimeUs now) override;
   void hear(const RadioPacket& packet, TimeUs now) override;
   bool takePacket(RadioPacket& packet) override;
-  const behaviour::ToldLine* takeLine() override { return frameLoop_.told().next(linesTaken_); }
+  const behaviour::ReportLine* takeLine() override {
+    return frameLoop_.reports().next(linesTaken_);
+  }
   const std::string& scriptError() const { return frameLoop_.scriptError(); }
 
  private:

@@ -8,7 +8,7 @@ namespace kelpie::agent {
 const MotionOutput& FaultLoops::motion(const MotionInput& input) {
   const Cause cause = step(CausesIn{input.time, power_}, CausesParams{}, causes_);
   if (cause.demand == Demand::switchOff) {
-    motors_.told = cause.rest;
+    motors_.reported = cause.rest;
     motors_.order.shutDown = true;
   }
   for (JointFrame& frame : output_.joints) {

@@ -22,7 +22,7 @@ class FaultLoops : public Loops {
   void hear(const ControlPacket& /*packet*/, TimeUs /*now*/) override {}
   void hear(const RadioPacket& /*packet*/, TimeUs /*now*/) override {}
   bool takePacket(RadioPacket& /*packet*/) override { return false; }
-  const behaviour::ToldLine* takeLine() override { return nullptr; }
+  const behaviour::ReportLine* takeLine() override { return nullptr; }
 
  private:
   std::uint8_t fault_ = 0;

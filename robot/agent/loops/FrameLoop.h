@@ -28,7 +28,7 @@ class FrameLoop {
                               StageObserver& observer);
 
   const std::string& scriptError() const { return behaviour_.lastError(); }
-  const behaviour::Told& told() const { return behaviour_.told(); }
+  const behaviour::RecentReports& reports() const { return behaviour_.reports(); }
 
  private:
   void sense(const FrameInput& input, StageObserver& observer);

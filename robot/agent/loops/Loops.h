@@ -3,7 +3,7 @@
 // Kelpie's units, and gets joint targets back.
 #pragma once
 
-#include "behaviour/Told.h"
+#include "behaviour/RecentReports.h"
 #include "robot/agent/joints/Motors.h"
 #include "robot/agent/joints/PowerReport.h"
 #include "robot/core/types/ControlPacket.h"
@@ -37,7 +37,7 @@ class Loops {
   // The packet that the last frame made for the team, if it made one; each is given away once.
   virtual bool takePacket(RadioPacket& packet) = 0;
   // The next line that the behaviours tell people, valid until the next frame; null: no more.
-  virtual const behaviour::ToldLine* takeLine() = 0;
+  virtual const behaviour::ReportLine* takeLine() = 0;
 };
 
 }  // namespace kelpie::agent

@@ -2,6 +2,7 @@
 #include "robot/core/fields/SchemaTranslation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -13,8 +14,8 @@
 namespace kelpie {
 namespace {
 
-constexpr std::size_t kMaxDepth =
-    16;  // of structs in structs; text from outside could nest forever
+// Of structs in structs; text from outside could nest forever.
+constexpr std::size_t kMaxDepth = 16;
 
 std::size_t numberWidth(const std::string& type) {
   static const std::map<std::string, std::size_t> kWidths = {
@@ -24,10 +25,38 @@ std::size_t numberWidth(const std::string& type) {
   return found == kWidths.end() ? 0 : found->second;
 }
 
+// Members that have another name in older logs, and mean the same.
+struct Renamed {
+  const char* before;
+  const char* today;
+};
+constexpr std::array<Renamed, 14> kRenamed{{{"coloursTold", "coloursGiven"},
+                                            {"frontAside", "frontLateral"},
+                                            {"glanceAside", "glanceLateral"},
+                                            {"hindAside", "hindLateral"},
+                                            {"least", "min"},
+                                            {"leastSd", "minSd"},
+                                            {"leastShare", "minShare"},
+                                            {"leastSpeed", "minSpeed"},
+                                            {"most", "max"},
+                                            {"mostShare", "maxShare"},
+                                            {"sway", "oscillation"},
+                                            {"swaySd", "oscillationSd"},
+                                            {"told", "reported"},
+                                            {"turnAside", "turnLateral"}}};
+
 const SchemaMember* find(const SchemaStruct& members, const std::string& name) {
   const auto found = std::find_if(members.begin(), members.end(),
                                   [&](const SchemaMember& m) { return m.name == name; });
   return found == members.end() ? nullptr : &*found;
+}
+
+void useNamesOfToday(SchemaStruct& members) {
+  for (const Renamed& name : kRenamed) {
+    if (find(members, name.today) != nullptr) continue;
+    for (SchemaMember& m : members)
+      if (m.name == name.before) m.name = name.today;
+  }
 }
 
 // Whether a member recorded as one can be read as the other.
@@ -41,10 +70,10 @@ double nearestToZero(const std::string& comment) {
   const std::size_t dots = comment.find("..");
   if (dots == std::string::npos) return 0.0;
   const std::size_t start = comment.find_last_of(" ,#", dots) + 1;
-  const double least = dots > start ? std::strtod(comment.c_str() + start, nullptr) : 0.0;
+  const double min = dots > start ? std::strtod(comment.c_str() + start, nullptr) : 0.0;
   const bool open = dots + 2 >= comment.size() || comment[dots + 2] == ' ';
-  const double most = open ? 0.0 : std::strtod(comment.c_str() + dots + 2, nullptr);
-  return least > 0.0 ? least : std::fmin(most, 0.0);
+  const double max = open ? 0.0 : std::strtod(comment.c_str() + dots + 2, nullptr);
+  return min > 0.0 ? min : std::fmin(max, 0.0);
 }
 
 // Reads one line; false when it is none of a member.
@@ -67,7 +96,7 @@ bool parseMember(const std::string& line, SchemaMember& member) {
     if (!member.sequence && (member.count == 0 || inside.back() != ']')) return false;
   }
   member.width = numberWidth(member.type);
-  member.least = nearestToZero(comment);
+  member.min = nearestToZero(comment);
   return true;
 }
 
@@ -246,7 +275,7 @@ class Walk {
       skip(ours_, single, defaults);
       return defaultOf(single, here);
     }
-    if (ours.width > 0) return appendNumber(ours.type, ours.least, out_);
+    if (ours.width > 0) return appendNumber(ours.type, ours.min, out_);
     for (const SchemaMember& inner : ours_.structs.at(ours.type)) defaultOf(inner, {});
   }
 
@@ -285,6 +314,7 @@ Expected<SchemaTranslation> SchemaTranslation::make(const std::string& name,
                                                     const std::string& ours) {
   auto recorded = SchemaTypes::parse(name, theirs);
   if (!recorded) return Error{recorded.error()};
+  for (auto& one : recorded->structs) useNamesOfToday(one.second);
   auto now = SchemaTypes::parse(name, ours);
   if (!now) return Error{now.error()};
   return SchemaTranslation(std::move(*recorded), std::move(*now));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads messages that were recorded with another version of a struct's field list: both versions
 // are known as ROS 1 message text (Schema.h), the recorded one from the log itself. Members are
-// found by name; numbers of another width are converted; a member that the recorded list lacks gets
-// its default. Fails where the recorded text is not ours to read, or the bytes do not fit it.
+// found by name, or by the name that they had before; numbers of another width are converted; a
+// member that the recorded list lacks gets its default. Fails where the recorded text is not ours
+// to read, or the bytes do not fit it.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,7 @@ struct SchemaMember {
   bool sequence = false;  // any length, a uint32 before the elements
   std::size_t count = 1;  // elements of an array; 0 with `sequence`
   std::size_t width = 0;  // bytes of a number; 0: a struct
-  double least = 0.0;     // the number nearest to 0 that its range allows
+  double min = 0.0;       // the number nearest to 0 that its range allows
   bool isArray() const { return sequence || count != 1; }
 };
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "robot/core/Checksum.h"
-#include "robot/core/log/ChunkRoom.h"
+#include "robot/core/log/ChunkBuffer.h"
 
 namespace kelpie {
 
@@ -94,11 +94,11 @@ void LogReader::addGap(std::uint64_t from, std::uint64_t to) {
     return goesOn || (before.from < gap.to && gap.from < before.to);
   };
   for (; !gaps_.empty() && isOne(gaps_.back()); gaps_.pop_back()) {
-    const std::uint64_t least = std::min(gaps_.back().from, gap.from);
-    const std::uint64_t most = std::max(gaps_.back().to, gap.to);
+    const std::uint64_t min = std::min(gaps_.back().from, gap.from);
+    const std::uint64_t max = std::max(gaps_.back().to, gap.to);
     gap = gaps_.back();
-    gap.from = least;
-    gap.to = most;
+    gap.from = min;
+    gap.to = max;
   }
   gaps_.push_back(gap);
 }
@@ -193,7 +193,7 @@ bool LogReader::readFileRecord(Record& record) {
     spoil("no record begins there");
     return false;
   }
-  makeRoom(record_, static_cast<std::size_t>(length));
+  growTo(record_, static_cast<std::size_t>(length));
   record_.resize(static_cast<std::size_t>(length));
   file_.read(reinterpret_cast<char*>(record_.data()), static_cast<std::streamsize>(length));
   if (!file_) {
@@ -382,7 +382,7 @@ void LogReader::unpack(const std::string& compression, const std::uint8_t* store
   if (size > kMaxChunk) return spoil(says);
   if (compression.empty()) {
     if (size != length) return spoil(says + ", has " + std::to_string(length));
-    makeRoom(chunk_, static_cast<std::size_t>(length));
+    growTo(chunk_, static_cast<std::size_t>(length));
     chunk_.assign(stored, stored + length);
     return;
   }

@@ -18,14 +18,14 @@ constexpr int kChain = 3;                   // heads in a row; two may be chance
 constexpr std::uint64_t kMaxCut = 256U << 20;
 
 // Bytes that the content of a record has at least (mcap.dev/spec, Records); 0: no such kind.
-constexpr std::array<std::uint8_t, 16> kLeast = {0,  8,  20, 14, 16, 22, 40, 6,
-                                                 64, 36, 48, 46, 8,  20, 17, 4};
+constexpr std::array<std::uint8_t, 16> kMin = {0,  8,  20, 14, 16, 22, 40, 6,
+                                               64, 36, 48, 46, 8,  20, 17, 4};
 
 struct Head {
   std::uint8_t op = 0;
   std::uint64_t length = 0;
 
-  bool possible() const { return op < kLeast.size() && kLeast[op] > 0 && length >= kLeast[op]; }
+  bool possible() const { return op < kMin.size() && kMin[op] > 0 && length >= kMin[op]; }
 };
 
 Head headAt(const std::uint8_t* from) {
@@ -66,7 +66,7 @@ bool fits(const Head& head, mcap::ContentReader content) {
   const std::string name = content.string();
   const auto bytes = content.number<std::uint64_t>();
   return content.good() && first <= last && (name.empty() || name == "zstd" || name == "lz4") &&
-         bytes <= head.length && kLeast[head.op] + name.size() + bytes <= head.length;
+         bytes <= head.length && kMin[head.op] + name.size() + bytes <= head.length;
 }
 
 }  // namespace

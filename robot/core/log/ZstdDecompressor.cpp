@@ -2,8 +2,8 @@
 // For what reads logs of the host, the target program included: chunks compressed with zstd.
 #include <zstd.h>
 
+#include "robot/core/log/ChunkBuffer.h"
 #include "robot/core/log/ChunkCodec.h"
-#include "robot/core/log/ChunkRoom.h"
 
 namespace kelpie {
 namespace {
@@ -36,7 +36,7 @@ class ZstdDecompressor : public ChunkDecompressor {
       return Error{"zstd: its " + std::to_string(size) + " bytes do not hold the " +
                    std::to_string(count) + " that it says"};
     }
-    makeRoom(to, count);
+    growTo(to, count);
     to.resize(count);
     const std::size_t got = ZSTD_decompressDCtx(context_, to.data(), count, from, size);
     const Status done = statusOf(got);

@@ -195,7 +195,7 @@ OPowerStatus RobotPrimitives::power() const {
 
 OStatus RobotPrimitives::observePower(const OPowerStatus&, const OServiceEntry& entry) {
   powerEntry_ = entry;
-  toldPower_ = power();
+  reportedPower_ = power();
   return oSUCCESS;
 }
 
@@ -207,15 +207,16 @@ OStatus RobotPrimitives::unobservePower(const OServiceEntry& entry) {
 
 void RobotPrimitives::tellPower() {
   const OPowerStatus now = power();
-  const bool same = now.robotStatus == toldPower_.robotStatus && now.current == toldPower_.current;
+  const bool same =
+      now.robotStatus == reportedPower_.robotStatus && now.current == reportedPower_.current;
   if (same || !powerEntry_.IsValid()) return;
-  toldPower_ = now;
+  reportedPower_ = now;
   post(powerEntry_, OPowerStatusMessage(now));
 }
 
 void RobotPrimitives::setBatteryCurrent(double current) {
-  constexpr double kMost = 32767.0;
-  batteryCurrent_ = static_cast<sword>(maths::clamp(current, 0.0, kMost) + 0.5);
+  constexpr double kMax = 32767.0;
+  batteryCurrent_ = static_cast<sword>(maths::clamp(current, 0.0, kMax) + 0.5);
 }
 
 double RobotPrimitives::legGain() const {

@@ -93,7 +93,7 @@ class RobotPrimitives : public openr::System {
   sword batteryCurrent_ = 0;  // mA
   longword robotStatus_ = orsbBATTERY_CONNECTED;
   OServiceEntry powerEntry_;  // whoever observes the power
-  OPowerStatus toldPower_;
+  OPowerStatus reportedPower_;
   std::map<MemoryRegionID, std::unique_ptr<std::max_align_t[]>> vectors_;
   MemoryRegionID lastRegion_ = 0;
 };

@@ -93,7 +93,7 @@ OStatus VirtualRobotComm::DoInit(const OSystemEvent&) {
 }
 
 OStatus VirtualRobotComm::DoStart(const OSystemEvent&) {
-  assertIfRoom();
+  assertIfFree();
   return oSUCCESS;
 }
 
@@ -124,7 +124,7 @@ Status VirtualRobotComm::outputsDone(std::uint32_t count) {
     playing_.front()->RemoveReference();
     playing_.pop_front();
   }
-  assertIfRoom();
+  assertIfFree();
   return Done{};
 }
 
@@ -165,10 +165,10 @@ void VirtualRobotComm::notifyEffector(const ONotifyMessage& message) {
     playing_.push_back(region);
     overflow_ = !reply_.vectors.push_back(vector) || overflow_;
   }
-  assertIfRoom();
+  assertIfFree();
 }
 
-void VirtualRobotComm::assertIfRoom() {
+void VirtualRobotComm::assertIfFree() {
   if (effectorReady_ || playing_.size() >= kVectorsAhead) return;
   effectorReady_ = true;
   observers_[kEffector].AssertReady();

@@ -49,7 +49,7 @@ class VirtualRobotComm : public OObject {
   void notifyEffector(const ONotifyMessage& message);
 
  private:
-  void assertIfRoom();
+  void assertIfFree();
 
   const RobotPrimitives& primitives_;
   std::array<OSubject, kSubjects> subjects_;

@@ -55,9 +55,9 @@ bool UdpSocket::send(const std::string& address, std::uint16_t port, const std::
   return sent == static_cast<ssize_t>(size);
 }
 
-std::optional<std::size_t> UdpSocket::receive(std::uint8_t* bytes, std::size_t most) {
+std::optional<std::size_t> UdpSocket::receive(std::uint8_t* bytes, std::size_t max) {
   for (;;) {
-    const ssize_t size = recv(descriptor_, bytes, most, 0);
+    const ssize_t size = recv(descriptor_, bytes, max, 0);
     // Who is not there answers a send with an error, which tells nothing of what comes.
     if (size < 0 && errno == ECONNREFUSED) continue;
     if (size < 0) return std::nullopt;

@@ -30,9 +30,9 @@ class UdpSocket {
   // To an address such as 127.0.0.1, a broadcast one included; false when it cannot be sent.
   bool send(const std::string& address, std::uint16_t port, const std::uint8_t* bytes,
             std::size_t size);
-  // The next datagram that has arrived, cut to `most` bytes: how long it is so; nothing when there
+  // The next datagram that has arrived, cut to `max` bytes: how long it is so; nothing when there
   // is none.
-  std::optional<std::size_t> receive(std::uint8_t* bytes, std::size_t most);
+  std::optional<std::size_t> receive(std::uint8_t* bytes, std::size_t max);
 
  private:
   explicit UdpSocket(int descriptor) : descriptor_(descriptor) {}

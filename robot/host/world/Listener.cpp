@@ -58,11 +58,11 @@ Expected<std::string> shortened(const std::string& path, Descriptor& folder) {
 Expected<Address> addressOf(const std::string& path) {
   Address address;
   address.place.sun_family = AF_UNIX;
-  constexpr std::size_t kMost = sizeof address.place.sun_path - 1;
+  constexpr std::size_t kMax = sizeof address.place.sun_path - 1;
   const Expected<std::string> taken =
-      path.size() > kMost ? shortened(path, address.folder) : Expected<std::string>(path);
+      path.size() > kMax ? shortened(path, address.folder) : Expected<std::string>(path);
   if (!taken) return Error{taken.error()};
-  if (taken->empty() || taken->size() > kMost) {
+  if (taken->empty() || taken->size() > kMax) {
     return Error{"socket path '" + path + "' has " + std::to_string(path.size()) +
                  " characters; its name may have 1 to 80"};
   }

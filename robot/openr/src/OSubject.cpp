@@ -143,10 +143,10 @@ void OSubject::send(Kept& observer) {
 }
 
 std::size_t OSubject::RemainBuffer() const {
-  std::size_t most = 0;
+  std::size_t max = 0;
   for (const OObserverInfo& observer : observers_)
-    most = std::max(most, observer.kept_->buffered.size());
-  return most;
+    max = std::max(max, observer.kept_->buffered.size());
+  return max;
 }
 
 std::size_t OSubject::RemainBuffer(const ObserverID& observer) const {

@@ -85,7 +85,7 @@ TEST(Focal, IsNoFartherFromOneThanLensesAre) {
   Looking robot;
   robot.params.gate = 100.0;
   robot.frames(900, 1.3);
-  EXPECT_LE(robot.focal.ratio, 1.0 + robot.params.most);
+  EXPECT_LE(robot.focal.ratio, 1.0 + robot.params.max);
 }
 
 TEST(Focal, StaysWhereItIsNotEstimated) {

@@ -64,7 +64,7 @@ TEST(Lag, IsNeverNegativeNorLongerThanItCanBe) {
   head.frames(60, -0.02, 0.0);
   EXPECT_EQ(head.lag.seconds, 0.0);
   head.frames(200, 0.09, 0.0, 1.0);
-  EXPECT_LE(head.lag.seconds, head.params.most);
+  EXPECT_LE(head.lag.seconds, head.params.max);
 }
 
 }  // namespace

@@ -54,10 +54,10 @@ TEST(Tilt, ALowBeaconAheadIsTiltAndOneToTheLeftIsRoll) {
   ahead.seeBeacon(0.0, 2.0, 10);
   EXPECT_NEAR(ahead.tilt().tilt.deg(), 2.0, 0.1);
   EXPECT_NEAR(ahead.tilt().roll.deg(), 0.0, 1e-9);
-  Watcher aside;
-  aside.seeBeacon(90.0, 2.0, 10);
-  EXPECT_NEAR(aside.tilt().roll.deg(), 2.0, 0.1);
-  EXPECT_NEAR(aside.tilt().tilt.deg(), 0.0, 1e-6);
+  Watcher lateral;
+  lateral.seeBeacon(90.0, 2.0, 10);
+  EXPECT_NEAR(lateral.tilt().roll.deg(), 2.0, 0.1);
+  EXPECT_NEAR(lateral.tilt().tilt.deg(), 0.0, 1e-6);
 }
 
 // The next image is read with the new tilt: then the beacon stands where it should.

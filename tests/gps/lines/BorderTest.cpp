@@ -56,8 +56,8 @@ TEST(Border, ItsPointsMatchAtTheTruePoseOnly) {
   const SeenLines seen = seenLines(borderSeenFrom(kInTheCorner), LineUpdateParams{});
   ASSERT_GT(seen.lines.size(), 15U);
   EXPECT_GT(lineMatch(seen, kInTheCorner, features2004(), {}), 0.99);
-  const Pose2 aside{{95.0, 90.0}, Angle::deg(200.0)};
-  EXPECT_LT(lineMatch(seen, aside, features2004(), {}), 0.7);
+  const Pose2 lateral{{95.0, 90.0}, Angle::deg(200.0)};
+  EXPECT_LT(lineMatch(seen, lateral, features2004(), {}), 0.7);
 }
 
 TEST(Border, ACornerOfItCorrectsThePose) {

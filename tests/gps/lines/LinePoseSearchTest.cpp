@@ -10,8 +10,8 @@
 namespace kelpie::gps {
 namespace {
 
-int framesUntilServed(sim::StandingRobot& robot, WorldModel& world, int most) {
-  for (int i = 0; i < most; ++i) {
+int framesUntilServed(sim::StandingRobot& robot, WorldModel& world, int max) {
+  for (int i = 0; i < max; ++i) {
     robot.look(false);
     world = robot.step();
     if (robot.state.lines.searchServed) return i + 1;

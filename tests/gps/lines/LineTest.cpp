@@ -39,8 +39,8 @@ TEST(LineFit, MatchIsWholeAtTheTruePoseAndAtItsTwin) {
   EXPECT_GT(lineMatch(seen, kPose, features(), p), 0.99);
   const Pose2 twin{{360.0 - 150.0, 540.0 - 120.0}, Angle::deg(220.0)};
   EXPECT_NEAR(lineMatch(seen, twin, features(), p), lineMatch(seen, kPose, features(), p), 1e-6);
-  const Pose2 aside{{170.0, 105.0}, Angle::deg(40.0)};
-  EXPECT_LT(lineMatch(seen, aside, features(), p), 0.7);
+  const Pose2 lateral{{170.0, 105.0}, Angle::deg(40.0)};
+  EXPECT_LT(lineMatch(seen, lateral, features(), p), 0.7);
 }
 
 TEST(LineFit, FindsThePoseFromNearBy) {

@@ -32,9 +32,9 @@ TEST(NoiseMethod, OnlyTheThirdHasAWideMode) {
   const auto widest = [](double wideWeight) {
     sim::LocalisingRobot robot = localised(wideWeight);
     seeFalsely(robot);
-    double most = 0.0;
-    for (const PoseMode& mode : robot.state.pose.modes) most = std::max(most, mode.covariance[0]);
-    return most;
+    double max = 0.0;
+    for (const PoseMode& mode : robot.state.pose.modes) max = std::max(max, mode.covariance[0]);
+    return max;
   };
   EXPECT_LT(widest(0.0), 400.0);
   EXPECT_GT(widest(1e-12), 1000.0);

@@ -34,8 +34,8 @@ TEST(NoiseScale, ASoundRobotHasLess) { EXPECT_LT(scaleAfter(4000, 16.0), 0.5); }
 TEST(NoiseScale, AWornOneHasMore) { EXPECT_GT(scaleAfter(3000, 1.0), 2.0); }
 
 TEST(NoiseScale, StaysWithinItsBounds) {
-  EXPECT_EQ(scaleAfter(100000, 1e6), NoiseScaleParams{}.least);
-  EXPECT_EQ(scaleAfter(100000, 1e-3), NoiseScaleParams{}.most);
+  EXPECT_EQ(scaleAfter(100000, 1e6), NoiseScaleParams{}.min);
+  EXPECT_EQ(scaleAfter(100000, 1e-3), NoiseScaleParams{}.max);
 }
 
 TEST(NoiseScale, AFalseSightingCountsNoMoreThanALargeOne) {

@@ -49,7 +49,7 @@ PLAYERS = {
     'challenger': (Challenger, 2, {'challenger': {'find_out', 'go_to_stand', 'waits'}}),
     'one_skill': (OneSkill, 2, {})}
 
-FREE_KICKS = [kick for kick, told in kelpie.KICKS.items() if told.leaf]
+FREE_KICKS = [kick for kick, reported in kelpie.KICKS.items() if reported.leaf]
 
 
 def grab_dribble(random, memory):

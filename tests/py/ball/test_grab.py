@@ -29,7 +29,7 @@ def test_the_approach_has_no_side_steps_and_turns_10_percent_less():
     assert (walk.forward, walk.left, walk.turn_deg) == pytest.approx((50.0, 0.0, 54.0))
 
 
-@pytest.mark.parametrize('aside, last, kind', [
+@pytest.mark.parametrize('lateral, last, kind', [
     (SPIN_FROM + 1.0, kelpie.WALK, kelpie.WALK_TURNING),
     (SPIN_FROM - 1.0, kelpie.WALK, kelpie.WALK),
     (-SPIN_UNTIL - 1.0, kelpie.WALK_TURNING, kelpie.WALK_TURNING),
@@ -38,8 +38,8 @@ def test_the_approach_has_no_side_steps_and_turns_10_percent_less():
     (FAST_WITHIN + 1.0, kelpie.WALK, kelpie.WALK),
     (FAST_UNTIL - 1.0, kelpie.WALK_FAST, kelpie.WALK_FAST),
     (FAST_UNTIL + 1.0, kelpie.WALK_FAST, kelpie.WALK)])
-def test_a_walk_is_left_later_than_it_is_begun(aside, last, kind):
-    assert walk_kind(100.0, aside, last) == kind
+def test_a_walk_is_left_later_than_it_is_begun(lateral, last, kind):
+    assert walk_kind(100.0, lateral, last) == kind
 
 
 @pytest.mark.parametrize('ball, velocity, turn_lost, wanted', [
@@ -135,12 +135,12 @@ def test_a_locked_gap_is_kept_when_the_other_becomes_wider():
 
 def test_it_has_aimed_after_four_frames_that_need_not_follow_one_another():
     made, target = world(), Aim()
-    told = []
+    reported = []
     for left, right in [(4, -4), (20, 12), (4, -4), (4, -4), (30, 22), (4, -4)]:
         made.percepts.gaps = [goal_gap(left, right)]
         target.update(made)
-        told.append(target.aimed)
-    assert told == [False] * 5 + [True]
+        reported.append(target.aimed)
+    assert reported == [False] * 5 + [True]
 
 
 def test_the_padding_grows_with_the_gap():

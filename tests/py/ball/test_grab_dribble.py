@@ -128,8 +128,8 @@ def test_a_goal_that_the_pose_misses_by_10_deg_is_found_by_turning_on():
 def test_without_a_goal_in_sight_it_turns_on_in_the_own_half_only_and_not_for_ever(y, turns_on):
     farthest, seen = over_turning(y, 0.0, 0.0)
     assert not seen
-    most = OVER_TURN * SEARCH_TURN * FRAME_S
-    assert (0.5 * most < farthest < most + 5.0) if turns_on else farthest < 4.0
+    maximum = OVER_TURN * SEARCH_TURN * FRAME_S
+    assert (0.5 * maximum < farthest < maximum + 5.0) if turns_on else farthest < 4.0
 
 
 def test_out_of_time_it_stands_and_kicks_without_sight_of_the_goal():

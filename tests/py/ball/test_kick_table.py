@@ -105,12 +105,12 @@ def test_every_kick_of_the_map_is_known_by_both_its_sides():
 @pytest.mark.parametrize('walking', [False, True])
 @pytest.mark.parametrize('kick', kick_table.kicks(False))
 def test_from_the_best_place_and_all_its_window_the_ball_goes(kick, walking):
-    least_x, least_y, most_x, most_y = kick_table.window(kick, walking)
+    min_x, min_y, max_x, max_y = kick_table.window(kick, walking)
     x, y = kick_table.best_place(kick, walking)
-    assert least_x <= x <= most_x and least_y <= y <= most_y
+    assert min_x <= x <= max_x and min_y <= y <= max_y
     rng = random.Random(5)
     for _ in range(50):
-        place = rng.uniform(least_x, most_x), rng.uniform(least_y, most_y)
+        place = rng.uniform(min_x, max_x), rng.uniform(min_y, max_y)
         assert kick_table.outcome(kick, *place, walking)[0] >= 0.8
     assert kick_table.window_outcome(kick, walking)[0] >= 0.8
 

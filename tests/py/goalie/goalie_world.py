@@ -16,7 +16,7 @@ from skills.walk.guard_goal import OF_2006, GuardGoal
 
 FRAME_S = 1.0 / 30.0
 LATE = 3            # frames from a command to the legs
-TOLD = 2            # frames from the ball to what is told of it
+REPORTED = 2            # frames from the ball to what is told of it
 DRAG, BRAKE = 0.76, 6.0
 # Motion: cover to the left and to the right (cm), from, to and end (s after its beginning).
 BLOCKS = {kelpie.BLOCK: (21.4, 21.4, 0.12, 1.0, 1.7),
@@ -171,29 +171,29 @@ class GoalieWorld:
         world.position_sd, world.heading_sd_deg = 3.0, 1.5
         world.motion.running = self.running
         self.balls.append((self.ball, self.velocity))
-        self.tell_ball(*self.balls[max(0, len(self.balls) - 1 - TOLD)])
+        self.tell_ball(*self.balls[max(0, len(self.balls) - 1 - REPORTED)])
 
     def tell_ball(self, ball, velocity):
-        told = self.world.ball
+        reported = self.world.ball
         wrong = self.noise * 0.025 * abs(ball - self.at)
         ball += complex(self.chance.gauss(0.0, wrong), self.chance.gauss(0.0, wrong))
         wrong = self.noise * (8.0 + 0.1 * abs(velocity)) if abs(velocity) > 0.0 else 0.0
         velocity += complex(self.chance.gauss(0.0, wrong), self.chance.gauss(0.0, wrong))
-        told.present, told.seconds_since_seen = True, 0.0
-        told.position.x, told.position.y = ball.real, ball.imag
-        told.velocity.x, told.velocity.y = velocity.real, velocity.imag
+        reported.present, reported.seconds_since_seen = True, 0.0
+        reported.position.x, reported.position.y = ball.real, ball.imag
+        reported.velocity.x, reported.velocity.y = velocity.real, velocity.imag
         left, ahead = self.in_robot(ball)
-        told.relative.x, told.relative.y = -left, ahead
-        told.distance = abs(ball - self.at)
-        told.heading_deg = math.degrees(math.atan2(left, ahead))
+        reported.relative.x, reported.relative.y = -left, ahead
+        reported.distance = abs(ball - self.at)
+        reported.heading_deg = math.degrees(math.atan2(left, ahead))
         speed = abs(velocity)
         c = BRAKE / DRAG
         way = speed / DRAG - c * math.log1p(speed / c) / DRAG
         end = ball + (way * velocity / speed if speed > 0.0 else 0.0)
-        told.stopping_point.x, told.stopping_point.y = end.real, end.imag
+        reported.stopping_point.x, reported.stopping_point.y = end.real, end.imag
         percept = self.world.percepts.ball
-        percept.present, percept.distance = True, told.distance
-        percept.heading_deg = told.heading_deg
+        percept.present, percept.distance = True, reported.distance
+        percept.heading_deg = reported.heading_deg
 
 
 def shot(decide, seed, noise=1.0, field='2006', near=60.0, far=160.0, speeds=(80.0, 170.0)):
@@ -253,7 +253,7 @@ def place_of(player, world):
     return guard_place(player.now, player.eyes, player.rule)
 
 
-def told(world, ball, seconds, sd=3.0):
+def reported(world, ball, seconds, sd=3.0):
     """Mates see the ball there, so long ago, sure to so many cm."""
     world.teammates = [kelpie.TeammateEstimate(player=2, seconds_since_heard=0.1)]
     world.team_ball = kelpie.TeamBall(present=True, seconds_since_seen=seconds,

@@ -5,8 +5,8 @@ import random
 import kelpie
 import pytest
 from decisions import goalie_rules, guard_place
-from goalie_world import (GoalieWorld, anywhere, blind_after, guards, place_of, run, scene, shot,
-                          told)
+from goalie_world import (GoalieWorld, anywhere, blind_after, guards, place_of, reported, run,
+                          scene, shot)
 from lib import goalie_places as places
 from players.goalie import LOOK, Goalie
 from safety import own_goal
@@ -315,9 +315,9 @@ def test_a_goalie_that_has_lost_the_ball_guards_by_where_its_mates_see_it(unseen
     player.now.moved_s = world.time_s - moved
     player.enter(world, player.guard, GuardGoal(OF_2006))
     player.eyes.enter(world, player.eyes.search, PointScan(world, 1.0))
-    told(world, 100 + 40j, by_mates, sd)
+    reported(world, 100 + 40j, by_mates, sd)
     assert (guards(player, world).left > 10.0) == walks
-    assert (player.now.told is not None) == walks
+    assert (player.now.reported is not None) == walks
 
 
 @pytest.mark.parametrize('ball, walks', [(182 + 18j, False), (215 + 18j, True)])
@@ -394,7 +394,7 @@ def test_the_time_of_a_survey_is_none_in_which_the_ball_was_looked_for():
     assert place_of(player, scenery.world) is None
     scenery.world.ball.seconds_since_seen = guard_place.LOST + 1.0
     assert place_of(player, scenery.world) == places.central_place(scenery.world.field,
-                                                                   places.LEAST_Y)
+                                                                   places.MIN_Y)
 
 
 @pytest.mark.parametrize('ahead, right, steps_back', [
@@ -486,7 +486,7 @@ def feet(scenery, count, away):
 
 
 @pytest.mark.parametrize('count, away, mate_away, leaves', [
-    (opponents.FEET_LEAST, 10.0, None, True), (opponents.FEET_LEAST - 1, 10.0, None, False),
+    (opponents.FEET_MIN, 10.0, None, True), (opponents.FEET_MIN - 1, 10.0, None, False),
     (5, opponents.FEET + 2.0, None, False), (5, -6.0, None, False),
     (5, 10.0, opponents.FEET_MATE - 5.0, False), (5, 10.0, opponents.FEET_MATE + 5.0, True)])
 def test_a_ball_at_which_feet_stand_is_left_unless_they_may_be_a_mates(count, away, mate_away,

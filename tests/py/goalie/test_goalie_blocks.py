@@ -34,15 +34,15 @@ def watched(ball, velocity, field=None, memory=None, frames=shot_watch.FRAMES, u
     return watch
 
 
-@pytest.mark.parametrize('aside, motion', [
+@pytest.mark.parametrize('lateral, motion', [
     (0, kelpie.BLOCK), (8.9, kelpie.BLOCK), (-8.9, kelpie.BLOCK), (9.1, kelpie.BLOCK_RIGHT),
     (-9.1, kelpie.BLOCK_LEFT), (30, kelpie.BLOCK_RIGHT), (-30, kelpie.BLOCK_LEFT),
     (60, kelpie.NO_MOTION), (-60, kelpie.NO_MOTION)])
-def test_block_is_on_the_side_where_the_ball_passes(aside, motion):
+def test_block_is_on_the_side_where_the_ball_passes(lateral, motion):
     wide = kelpie.FieldDescription(goal_width=300.0)  # whatever comes is at the goal
-    way = complex(aside, -60)
+    way = complex(lateral, -60)
     watch = watched(180 + 80j, 170 * way / abs(way), wide)
-    assert watch.shot.aside == pytest.approx(aside, abs=1e-6)
+    assert watch.shot.lateral == pytest.approx(lateral, abs=1e-6)
     assert watch.block() == motion
 
 
@@ -114,7 +114,7 @@ def test_no_kick_is_so_fast():
 
 @pytest.mark.parametrize('seconds, blocked', [(0.05, False), (0.1, True), (0.8, True), (1, False)])
 def test_block_neither_too_late_nor_too_early(seconds, blocked):
-    shot = type('Shot', (), dict(aside=25.0, seconds=seconds, speed=100.0))
+    shot = type('Shot', (), dict(lateral=25.0, seconds=seconds, speed=100.0))
     assert (block_for(shot) != kelpie.NO_MOTION) == blocked
 
 
@@ -133,9 +133,9 @@ def test_a_clear_never_goes_towards_the_own_goal():
             continue
         kicks += 1
         (x, y), _ = predicted(world, 0.1)
-        aside, sd = kick_table.outcome(best.kick, x, y)[1:3]
+        lateral, sd = kick_table.outcome(best.kick, x, y)[1:3]
         for off in (-3.0 * sd, 0.0, 3.0 * sd):
-            direction = math.degrees(heading) + aside + off
+            direction = math.degrees(heading) + lateral + off
             assert places.off_own_goal(world.field, (ball.real, ball.imag), direction) > 0
     assert kicks > 1500
 

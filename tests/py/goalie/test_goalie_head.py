@@ -41,10 +41,10 @@ def test_all_four_beacons_the_front_and_both_sides_are_seen_in_each_round():
     for _ in range(2):
         looks = scanned(scan, world, scan.period())
         for x, y in beacons(world.field):
-            aside = math.degrees(math.atan2(180.0 - x, y - 20.0))
-            assert sum(abs(pan - aside) < 5.0 for pan, _ in looks) >= 1
-        for aside in (-80, -44, 0, 44, 80):
-            assert sum(tilt < -15.0 and abs(pan - aside) < 10.0 for pan, tilt in looks) >= 2
+            lateral = math.degrees(math.atan2(180.0 - x, y - 20.0))
+            assert sum(abs(pan - lateral) < 5.0 for pan, _ in looks) >= 1
+        for lateral in (-80, -44, 0, 44, 80):
+            assert sum(tilt < -15.0 and abs(pan - lateral) < 10.0 for pan, tilt in looks) >= 2
 
 
 @pytest.mark.parametrize('side', [1.0, -1.0])
@@ -72,12 +72,12 @@ def test_a_head_looks_where_mates_see_the_ball_and_between_on_with_its_scan():
     eyes.enter(world, eyes.search, PointScan(world))
     began, pans = world.time_s, []
     for frame in range(1, 120):
-        hints.told = (180.0 - 60.0, 20.0 + 60.0)   # 45 deg to the left
+        hints.reported = (180.0 - 60.0, 20.0 + 60.0)   # 45 deg to the left
         world.time_s = began + frame / 30.0
         pans.append(round(eyes.step(world, True).head_pan_deg))
     there = [pan == 45 for pan in pans]
     assert all(there[:14]) and 0.2 < sum(there) / len(there) < 0.4
-    hints.told = None
+    hints.reported = None
     eyes.step(world, True)
     assert not eyes.skill.searches_near(world) and eyes.skill.rounds(world) == 0
     assert eyes.skill.start_s == world.time_s
@@ -89,9 +89,9 @@ def test_where_mates_last_saw_a_near_ball_the_search_begins_again_with_the_turns
     eyes = GoalieHead(Memory(), hints)
     world.ball.seconds_since_seen = 5.0
     eyes.enter(world, eyes.search, PointScan(world))
-    hints.told = (x, 30.0)
+    hints.reported = (x, 30.0)
     eyes.step(world, True)
-    hints.told = None
+    hints.reported = None
     eyes.step(world, True)
     assert eyes.skill.searches_near(world)
     world.time_s += Looks.NEAR_TIMES[2] + 0.1

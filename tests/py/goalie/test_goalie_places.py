@@ -42,7 +42,7 @@ def test_most_balls_ahead_need_no_clipping():
 @pytest.mark.parametrize('ball', [(20, 2), (340, 2), (140, 0), (180, 0), (180, -20), (60, 10)])
 def test_place_for_a_ball_near_the_line_is_in_the_mouth(ball):
     x, y, heading = places.bisector_place(FIELD, ball)
-    assert 145 <= x <= 215 and places.LEAST_Y <= y <= 20 and 30 <= heading <= 150
+    assert 145 <= x <= 215 and places.MIN_Y <= y <= 20 and 30 <= heading <= 150
 
 
 def test_place_does_not_jump_as_the_ball_comes_to_the_line():
@@ -138,9 +138,9 @@ def test_no_wish_takes_the_goalie_out_of_its_box():
         at = pose(chance.uniform(left, right), chance.uniform(near, far), chance.uniform(-180, 180))
         forward, left = chance.uniform(-40, 40), chance.uniform(-40, 40)
         for _ in range(60):
-            ahead, aside = own_box.kept_in_box(FIELD, at, forward, left, own_box.MARGIN,
+            ahead, lateral = own_box.kept_in_box(FIELD, at, forward, left, own_box.MARGIN,
                                                own_box.SECONDS)
-            x, y = places.to_field(at.heading_deg, ahead, aside)
+            x, y = places.to_field(at.heading_deg, ahead, lateral)
             at.position.x += x / 30
             at.position.y += y / 30
             at.heading_deg += 2

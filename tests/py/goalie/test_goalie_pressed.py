@@ -4,7 +4,7 @@ import math
 
 import kelpie
 import pytest
-from goalie_world import blind_after, scene, told
+from goalie_world import blind_after, reported, scene
 from players.goalie import Goalie
 from situation.opponents import has_ball
 from skills.motion.kick import Kick
@@ -30,7 +30,7 @@ def test_a_goalie_holds_out_at_a_ball_at_its_body_that_an_opponent_presses(ahead
     scenery.see()
     scenery.world.ball.seconds_since_seen = 0.8
     for place, goes in ((ball, not stands), (240 + 40j, True)):
-        told(scenery.world, place, 0.1)
+        reported(scenery.world, place, 0.1)
         walk = player.step(scenery.world).walk
         assert (walk.left < -5.0 or walk.forward != 0.0 or walk.left > 5.0) == goes
 
@@ -48,7 +48,7 @@ def pressed(away=15.0, believed=188 + 21j):
         world.ball.present, world.ball.seconds_since_seen = believed is not None, 0.5
         if believed is not None:
             world.ball.position.x, world.ball.position.y = believed.real, believed.imag
-        told(world, ball, 0.01)
+        reported(world, ball, 0.01)
         world.opponents = [opponent(ball.real, ball.imag + away)]
         walk = player.step(world).walk
         return walk.forward == walk.left == walk.turn_deg == 0.0
@@ -62,7 +62,7 @@ def test_a_goalie_holds_out_at_a_ball_that_its_mates_see_at_its_flank(away, beli
     _, player, stands = pressed(away, believed)
     for _ in range(5):
         still = stands()
-    assert player.state == player.guard and player.now.told is not None
+    assert player.state == player.guard and player.now.reported is not None
     assert still == holds
 
 

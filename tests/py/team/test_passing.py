@@ -36,8 +36,8 @@ def where(made, kick):
 def test_a_mate_where_a_kick_sends_the_ball_can_be_passed_to():
     made = holder()
     made.teammates = [mate(3, S, at=where(made, kelpie.HARD_FORWARD))]
-    worth, kick, player = passing.best(made, BALL)
-    assert kick == kelpie.HARD_FORWARD and player == 3 and worth > 0.0
+    utility, kick, player = passing.best(made, BALL)
+    assert kick == kelpie.HARD_FORWARD and player == 3 and utility > 0.0
 
 
 @pytest.mark.parametrize('other', [
@@ -58,10 +58,10 @@ def test_an_opponent_on_the_way_stops_a_pass():
 
 def test_a_ball_is_worth_more_nearer_to_the_goal_and_with_the_goal_open():
     made = holder()
-    assert passing.worth_at(made, (180.0, 450.0)) > passing.worth_at(made, (180.0, 250.0))
-    before = passing.worth_at(made, (180.0, 450.0))
+    assert passing.utility_at(made, (180.0, 450.0)) > passing.utility_at(made, (180.0, 250.0))
+    before = passing.utility_at(made, (180.0, 450.0))
     made.opponents = [kelpie.OpponentEstimate(position=kelpie.Point2(x=180.0, y=500.0))]
-    assert passing.worth_at(made, (180.0, 450.0)) < before
+    assert passing.utility_at(made, (180.0, 450.0)) < before
 
 
 def choosing(made):
@@ -81,8 +81,8 @@ def facing_away():
 
 
 def test_who_holds_the_ball_passes_to_a_mate_that_is_better_placed_and_says_to_whom():
-    choice, (kick, reason, *told) = choosing(facing_away())
-    assert choice.pass_to == 4 == told[0] and reason.startswith('pass')
+    choice, (kick, reason, *reported) = choosing(facing_away())
+    assert choice.pass_to == 4 == reported[0] and reason.startswith('pass')
     assert isinstance(kick, int)
 
 

@@ -64,9 +64,9 @@ BRANCHES = [
 @pytest.mark.parametrize('me, mates, yes', [row[1:] for row in BRANCHES],
                          ids=[row[0] for row in BRANCHES])
 def test_an_attacker_is_chosen_by_algorithm_4_6(me, mates, yes):
-    answer, reason, *told = should_attack(me, mates)
+    answer, reason, *reported = should_attack(me, mates)
     assert answer == yes
-    assert len(reason) <= 80 and reason.count('{}') == len(told) <= 3
+    assert len(reason) <= 80 and reason.count('{}') == len(reported) <= 3
 
 
 @pytest.mark.parametrize('mates, defends', [
@@ -96,13 +96,13 @@ def test_goalies_and_who_was_silent_for_long_do_not_count():
 
 def test_one_metre_straight_ahead_takes_100_cm_at_30_cm_a_second():
     assert time_to.seconds(100.0) == pytest.approx(100.0 / 30.0)
-    assert time_to.seconds(0.0, aside=-120.0) == pytest.approx(1.0)
+    assert time_to.seconds(0.0, lateral=-120.0) == pytest.approx(1.0)
 
 
-@pytest.mark.parametrize('more', [dict(distance=120.0), dict(aside=60.0), dict(obstacles=40.0),
+@pytest.mark.parametrize('more', [dict(distance=120.0), dict(lateral=60.0), dict(obstacles=40.0),
                                   dict(stuck=True)])
 def test_each_term_more_takes_longer(more):
-    base = dict(distance=100.0, aside=10.0, obstacles=6.0, stuck=False)
+    base = dict(distance=100.0, lateral=10.0, obstacles=6.0, stuck=False)
     assert time_to.seconds(**{**base, **more}) > time_to.seconds(**base)
 
 
@@ -127,15 +127,15 @@ def test_a_way_in_any_direction_is_blocked_across_a_corridor_of_30_cm(end):
     start = (180.0, 180.0)
     dx, dy = end[0] - start[0], end[1] - start[1]
     length = math.hypot(dx, dy)
-    for aside, counted in ((-16, 0), (-14, 20), (0, 20), (14, 20), (16, 0)):
-        there = cell(start[0] + 0.5 * dx + aside * dy / length,
-                     start[1] + 0.5 * dy - aside * dx / length)
-        assert time_to.on_way([there], start, end) == counted, aside
+    for lateral, counted in ((-16, 0), (-14, 20), (0, 20), (14, 20), (16, 0)):
+        there = cell(start[0] + 0.5 * dx + lateral * dy / length,
+                     start[1] + 0.5 * dy - lateral * dx / length)
+        assert time_to.on_way([there], start, end) == counted, lateral
 
 
 def test_a_ball_unseen_for_longer_costs_more_and_never_more_than_a_little():
     costs = [time_to.unsure(frames) for frames in range(0, 300, 5)]
-    assert costs == sorted(costs) and costs[3] == 0.0 and costs[-1] == time_to.LOST_MOST_S
+    assert costs == sorted(costs) and costs[3] == 0.0 and costs[-1] == time_to.LOST_MAX_S
     assert time_to.unsure(45) == pytest.approx(0.002 * 30 * 30)
 
 
@@ -255,9 +255,9 @@ class Team:
                                      self.choices[number].seconds, at=(place.x, place.y),
                                      heading=made.pose.heading_deg)))
         for number, made in enumerate(self.worlds):
-            heard = [[told for at, told in said if at <= frame] for said in self.said]
-            made.teammates = [told[-1] for other, told in enumerate(heard)
-                              if other != number and told]
+            heard = [[reported for at, reported in said if at <= frame] for said in self.said]
+            made.teammates = [reported[-1] for other, reported in enumerate(heard)
+                              if other != number and reported]
 
     def walk(self):
         """The attacker to the ball, the others to their places."""

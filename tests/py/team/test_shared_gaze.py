@@ -6,8 +6,8 @@ import math
 import kelpie
 import pytest
 from lib.geom import from_field, heading, polar, wrap
-from lib.shared_gaze import (ASIDE, BALL, EVERY, HORIZON_IN, IMAGE_ASIDE, IMAGE_UP, INSIDE,
-                             SharedGaze, aside_for, up_for)
+from lib.shared_gaze import (BALL, EVERY, HORIZON_IN, IMAGE_HALF_WIDTH, IMAGE_UP, INSIDE, LATERAL,
+                             SharedGaze, pan_for, up_for)
 
 
 def world_at(x, y, degrees):
@@ -26,15 +26,15 @@ def nearest_off(world, pan):
 def test_it_turns_aside_just_so_far_that_the_nearest_landmark_is_in_the_image():
     world, turned = world_at(180.0, 270.0, 90.0), 0
     for pan in range(-90, 91, 5):
-        aside = aside_for(world, pan)
-        before, after = nearest_off(world, pan), nearest_off(world, pan + aside)
-        assert abs(aside) <= ASIDE
-        if aside:
+        lateral = pan_for(world, pan)
+        before, after = nearest_off(world, pan), nearest_off(world, pan + lateral)
+        assert abs(lateral) <= LATERAL
+        if lateral:
             turned += 1
-            assert after == pytest.approx(IMAGE_ASIDE - INSIDE) and before > after
+            assert after == pytest.approx(IMAGE_HALF_WIDTH - INSIDE) and before > after
         else:
-            inside = IMAGE_ASIDE - INSIDE
-            assert before <= inside or before > inside + ASIDE
+            inside = IMAGE_HALF_WIDTH - INSIDE
+            assert before <= inside or before > inside + LATERAL
     assert turned
 
 
@@ -68,5 +68,5 @@ def test_how_far_aside_is_worked_out_anew_in_every_third_frame():
         aim = gaze.beside(world, polar(100.0, pan), 8.4).target
         asides.append(round(wrap(heading(aim.x, aim.y) - pan), 6))
     for start in range(0, 3 * EVERY, EVERY):
-        assert asides[start] == pytest.approx(aside_for(world, 5.0 * start), abs=1e-5)
+        assert asides[start] == pytest.approx(pan_for(world, 5.0 * start), abs=1e-5)
         assert len(set(asides[start:start + EVERY])) == 1

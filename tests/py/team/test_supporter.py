@@ -7,7 +7,7 @@ import math
 import kelpie
 import pytest
 from decisions.roles import goes_forward
-from lib import kick_off_places, search_places, ways
+from lib import kick_off_places, paths, search_places
 from lib.geom import wrap
 from players.ellipse_goalie import EllipseGoalie
 from players.forward import Forward
@@ -131,7 +131,7 @@ def test_nobody_but_the_goalie_walks_into_the_own_box(at, ball):
         made.ball.seconds_since_seen = max(0.0, (frame - 30) * FRAME_S)
         memory.update(made)
         walk_in(made, skill.step(made))
-        x, y = ways.point_of(made.pose)
+        x, y = paths.point_of(made.pose)
         assert not (y < FIELD.box_depth and abs(x - 180.0) < 0.5 * FIELD.box_width)
 
 
@@ -175,7 +175,7 @@ def test_the_line_from_ball_to_goal_is_free_within_2_s_and_stays_so(role, at):
     for _ in range(240):
         memory.update(made)
         walk_in(made, skill.step(made))
-        gaps.append(lane.gap(ways.point_of(made.pose)))
+        gaps.append(lane.gap(paths.point_of(made.pose)))
     assert min(gaps[60:]) > 40.0
 
 
@@ -189,21 +189,21 @@ def test_the_attackers_way_to_the_ball_is_left_free():
         memory.update(made)
         walk_in(made, skill.step(made))
     lane = keep_off.Lane(keep_off.ON_WAY, (180.0, 80.0), (180.0, 300.0), 40.0)
-    assert lane.gap(ways.point_of(made.pose)) > 40.0
+    assert lane.gap(paths.point_of(made.pose)) > 40.0
 
 
 # The way home
 
 def test_a_free_way_home_is_straight_and_a_blocked_one_bends_to_the_freer_side():
     start, end = (100.0, 120.0), (100.0, 420.0)
-    assert ways.best_bend([], start, end, FIELD) == 0.0
-    assert ways.best_bend([(100.0, 250.0)], start, end, FIELD) != 0.0
-    assert ways.best_bend([(90.0, 250.0)], start, end, FIELD) < 0.0
-    assert ways.best_bend([(110.0, 250.0)], start, end, FIELD) > 0.0
+    assert paths.best_bend([], start, end, FIELD) == 0.0
+    assert paths.best_bend([(100.0, 250.0)], start, end, FIELD) != 0.0
+    assert paths.best_bend([(90.0, 250.0)], start, end, FIELD) < 0.0
+    assert paths.best_bend([(110.0, 250.0)], start, end, FIELD) > 0.0
 
 
 def test_no_way_home_leads_off_the_field():
-    assert ways.best_bend([(45.0, 250.0)], (30.0, 120.0), (30.0, 420.0), FIELD) < 0.0
+    assert paths.best_bend([(45.0, 250.0)], (30.0, 120.0), (30.0, 420.0), FIELD) < 0.0
 
 
 def home_after(bird_of_prey):
@@ -216,7 +216,7 @@ def home_after(bird_of_prey):
                       for x, y in blockers]
     bird, place, way = BirdOfPrey(), (180.0, 120.0), []
     for frame in range(900):
-        before = ways.point_of(made.pose)
+        before = paths.point_of(made.pose)
         if math.hypot(before[0] - place[0], before[1] - place[1]) < 15.0:
             return frame * FRAME_S, way
         walk_in(made, kelpie.Command(walk=bird.step(made, place)))

@@ -7,7 +7,7 @@ import kelpie
 import pytest
 from roles.attacker import BOX_WAIT_FRAMES, Attacker
 from situation.memory import Memory
-from skills.walk.avoid_own_box import (ASIDE, EDGE, AvoidOwnBox, clear_of, in_own_box,
+from skills.walk.avoid_own_box import (EDGE, LATERAL, AvoidOwnBox, clear_of, in_own_box,
                                        place_to_stand, triggered)
 
 FIELD = kelpie.FIELDS['2006']
@@ -53,7 +53,9 @@ def test_beside_the_box_the_nearest_front_corner_is_walked_to():
 
 
 @pytest.mark.parametrize('robot_x, ball_x, x', [
-    (190.0, 180.0, 180.0 + ASIDE), (170.0, 180.0, 180.0 - ASIDE), (230.0, 240.0, 240.0 - ASIDE)])
+    (190.0, 180.0, 180.0 + LATERAL),
+    (170.0, 180.0, 180.0 - LATERAL),
+    (230.0, 240.0, 240.0 - LATERAL)])
 def test_before_the_box_it_walks_to_its_own_side_of_the_ball(robot_x, ball_x, x):
     place = place_to_stand(FIELD, (robot_x, 100.0), (ball_x, 50.0))[1]
     assert place[0] == x and place[1] > FIELD.box_depth

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 import kelpie
 import pytest
-from situation.headway import AWAY, MOST_FRAMES, NEAR, NEARER, SEEN_S, Headway
+from situation.headway import AWAY, MAX_FRAMES, NEAR, NEARER, SEEN_S, Headway
 from skills.walk.paw_stuck import PawStuck
 
 
@@ -21,8 +21,8 @@ def after(frames, watch=None, **situation) -> Headway:
 
 
 def test_a_ball_that_comes_no_nearer_for_46_frames_of_walking_is_no_headway():
-    assert not after(MOST_FRAMES + 1, distance=40.0).none
-    assert after(MOST_FRAMES + 2, distance=40.0).none
+    assert not after(MAX_FRAMES + 1, distance=40.0).none
+    assert after(MAX_FRAMES + 2, distance=40.0).none
 
 
 @pytest.mark.parametrize('situation', [
@@ -35,7 +35,7 @@ def test_a_ball_near_unseen_or_not_walked_at_says_nothing(situation):
 
 def test_a_ball_that_comes_nearer_or_rolls_away_begins_anew():
     for distance in (40.0 - NEARER, 40.0 + AWAY):
-        watch = after(MOST_FRAMES, distance=40.0)
+        watch = after(MAX_FRAMES, distance=40.0)
         assert not after(2, watch, distance=distance).none
 
 
@@ -48,11 +48,11 @@ def test_a_free_walk_to_a_ball_always_makes_headway():
 
 def test_a_robot_without_headway_backs_off_once():
     skill, backs = PawStuck(), []
-    for frame in range(3 * MOST_FRAMES):
+    for frame in range(3 * MAX_FRAMES):
         world = world_with(distance=40.0)
         world.time_s = frame / 30.0
         skill.update(world)
         backs.append(skill.needed(world))
-    assert not any(backs[:MOST_FRAMES + 1]) and any(backs)
+    assert not any(backs[:MAX_FRAMES + 1]) and any(backs)
     began = backs.index(True)
-    assert began == MOST_FRAMES + 1 and not all(backs[began:began + 30])
+    assert began == MAX_FRAMES + 1 and not all(backs[began:began + 30])

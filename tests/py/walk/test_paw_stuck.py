@@ -120,8 +120,8 @@ class Walker:
         return abs(self.place - self.at) < 7.0
 
 
-def both_arrive(aside, avoid=True) -> bool:
-    one, two = Walker(0j, 200 + 0j), Walker(200 + aside * 1j, aside * 1j)
+def both_arrive(lateral, avoid=True) -> bool:
+    one, two = Walker(0j, 200 + 0j), Walker(200 + lateral * 1j, lateral * 1j)
     for frame in range(round(45.0 / FRAME_S)):
         one.step(two, frame * FRAME_S, avoid)
         two.step(one, frame * FRAME_S, avoid)
@@ -130,9 +130,9 @@ def both_arrive(aside, avoid=True) -> bool:
     return False
 
 
-@pytest.mark.parametrize('aside', range(-25, 26, 5))
-def test_two_robots_that_walk_head_on_reach_their_places_in_the_ready_time(aside):
-    assert both_arrive(float(aside))
+@pytest.mark.parametrize('lateral', range(-25, 26, 5))
+def test_two_robots_that_walk_head_on_reach_their_places_in_the_ready_time(lateral):
+    assert both_arrive(float(lateral))
 
 
 def test_without_backing_off_they_do_not():

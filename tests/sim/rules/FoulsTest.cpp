@@ -98,7 +98,7 @@ TEST(Fouls, TheBallIsHeldForThreeSecondsAndFiftyCentimetresAtMost) {
   }
 }
 
-struct Push {
+struct ContactForce {
   const char* fact;
   double oneSpeed;    // cm/s up-field of a red robot
   double otherSpeed;  // of a robot ahead of it
@@ -107,7 +107,7 @@ struct Push {
   std::optional<std::size_t> pusher;
 };
 
-constexpr Push kPushes[] = {
+constexpr ContactForce kPushes[] = {
     {"4.1 s of pushing", 10, 10, 30, 4.1, 0},
     {"2.9 s", 10, 10, 30, 2.9, std::nullopt},
     {"who does not give way is not pushed", 3, 0, 30, 4.1, std::nullopt},
@@ -116,7 +116,7 @@ constexpr Push kPushes[] = {
     {"of two the one that gives way is pushed", -10, -10, 30, 4.1, 1},
 };
 
-std::optional<std::size_t> pusherIn(MadeScene& scene, const Push& push) {
+std::optional<std::size_t> pusherIn(MadeScene& scene, const ContactForce& push) {
   PushingState state;
   std::optional<std::size_t> pusher;
   const auto field = ruleField();
@@ -136,14 +136,14 @@ MadeScene faceToFace(TeamColour other, double gap) {
 }
 
 TEST(Fouls, WhoPushesAnotherForThreeSeconds) {
-  for (const Push& push : kPushes) {
+  for (const ContactForce& push : kPushes) {
     MadeScene scene = faceToFace(kBlue, push.gap);
     EXPECT_EQ(pusherIn(scene, push), push.pusher) << push.fact;
   }
 }
 
 TEST(Fouls, NoPushIsAFoulAtTheBallByAGoalieInItsBoxOrAmongMates) {
-  const Push& push = kPushes[0];
+  const ContactForce& push = kPushes[0];
   MadeScene mates = faceToFace(kRed, push.gap);
   EXPECT_FALSE(pusherIn(mates, push));
   MadeScene goalie = faceToFace(kBlue, push.gap);

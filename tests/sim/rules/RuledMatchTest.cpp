@@ -261,13 +261,13 @@ TEST(RuledMatch, WhatTheGameControllerTellsIsWhatTheRobotsAreTold) {
     ASSERT_FALSE(net::decodeControl(bytes.data(), bytes.size(), data));
     for (std::size_t i = 0; i < match.scene.players.size(); ++i) {
       const ScenePlayer& who = match.scene.players[i];
-      GameState told = match.match.gameFor(i, match.score);
+      GameState reported = match.match.gameFor(i, match.score);
       GameState heard = gameStateFrom(data, who.team, who.number);
-      const bool ready = told.state == PlayState::ready;
-      EXPECT_TRUE(ready || std::fabs(heard.secondsLeft - told.secondsLeft) <= 1.0) << "whole s";
-      heard.secondsLeft = told.secondsLeft;
+      const bool ready = reported.state == PlayState::ready;
+      EXPECT_TRUE(ready || std::fabs(heard.secondsLeft - reported.secondsLeft) <= 1.0) << "whole s";
+      heard.secondsLeft = reported.secondsLeft;
       std::string path;
-      EXPECT_FALSE(firstDifference(told, heard, &path)) << path;
+      EXPECT_FALSE(firstDifference(reported, heard, &path)) << path;
     }
   };
   match.tick();

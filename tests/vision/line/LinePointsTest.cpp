@@ -151,10 +151,10 @@ TEST(LinePoints, FieldPointsWeighTheSameUpToTheEnd) {
 }
 
 // Largest over smallest gap between neighbours on the ground, along the middle column.
-double unevenness(double least, double most) {
+double unevenness(double min, double max) {
   VisionParams params;
-  params.line.minFieldInterval = least;
-  params.line.maxFieldInterval = most;
+  params.line.minFieldInterval = min;
+  params.line.maxFieldInterval = max;
   const Percepts seen = look(Painting{}, cameraAt(18, 0, -15), params).percepts;
   double low = 1e9;
   double high = 0.0;

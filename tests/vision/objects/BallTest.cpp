@@ -176,15 +176,15 @@ TEST(Ball, HalfPinkIsRefused) {
 }
 
 TEST(Ball, BeforeOrangeTrousersIsFoundAtItsOwnDistance) {
-  for (const double aside : {-6.0, 0.0, 6.0}) {
+  for (const double lateral : {-6.0, 0.0, 6.0}) {
     Painting p = ballAt(170, 0);
     p.carpetEnd = 210;
     p.noise = 3.0;
-    p.walls.push_back({{aside - 15, 240}, {aside + 15, 240}, 3, 90, kOrangePaint});
+    p.walls.push_back({{lateral - 15, 240}, {lateral + 15, 240}, 3, 90, kOrangePaint});
     const Seen seen = look(p, cameraAt(16, 0, -5));
-    ASSERT_TRUE(seen.percepts.ball.present) << aside;
-    EXPECT_NEAR(seen.percepts.ball.distance, 170, 17) << aside;
-    EXPECT_NEAR(seen.percepts.ball.heading.deg(), 0, 0.5) << aside;
+    ASSERT_TRUE(seen.percepts.ball.present) << lateral;
+    EXPECT_NEAR(seen.percepts.ball.distance, 170, 17) << lateral;
+    EXPECT_NEAR(seen.percepts.ball.heading.deg(), 0, 0.5) << lateral;
   }
 }
 

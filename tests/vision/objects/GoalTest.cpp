@@ -415,11 +415,11 @@ TEST(GoalChecks, MouthFacesTheFieldUpToItsLargestTurn) {
   const auto kept = [&p](double turnDegrees, bool valid = true) {
     return goalFacesField({valid, {0, 250}, turnDegrees / kDegrees, 0.0}, p);
   };
-  const double most = p.maxTurn.deg();
-  EXPECT_TRUE(kept(most - 1));
-  EXPECT_TRUE(kept(1 - most));
-  EXPECT_FALSE(kept(most + 1));
-  EXPECT_FALSE(kept(-1 - most));
+  const double max = p.maxTurn.deg();
+  EXPECT_TRUE(kept(max - 1));
+  EXPECT_TRUE(kept(1 - max));
+  EXPECT_FALSE(kept(max + 1));
+  EXPECT_FALSE(kept(-1 - max));
   EXPECT_FALSE(kept(0, false));
   // Seen 45 deg to the right, square to the sight is a turn of -45.
   EXPECT_TRUE(goalFacesField({true, {200, 200}, -110 / kDegrees, 0.0}, p));

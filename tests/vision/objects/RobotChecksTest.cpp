@@ -114,13 +114,13 @@ TEST(RobotChecks, FootIsBelowTheFieldEdge) {
 
 TEST(RobotChecks, StandsAFootInsideTheCarpetsEdge) {
   const EmptyScene empty;
-  const double least = RobotFinderParams{}.minCarpetBeyond;
+  const double min = RobotFinderParams{}.minCarpetBeyond;
   RobotPatch patch = goodPatch();
-  patch.carpetBeyond = least - 1;
+  patch.carpetBeyond = min - 1;
   EXPECT_FALSE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.carpetBeyond = least + 1;
+  patch.carpetBeyond = min + 1;
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
-  patch.carpetBeyond = least - 1;
+  patch.carpetBeyond = min - 1;
   patch.foot.end = FootEnd::imageBorder;  // its feet are nearer than what the border shows
   EXPECT_TRUE(robotIsInsideFieldEdge(empty.scene, patch, {}));
 }

@@ -25,10 +25,10 @@ static union {
 } heap;
 static size_t cut;    // bytes ever cut off the block
 static size_t inUse;  // bytes asked for and not given back, heads included
-static size_t mostInUse;
+static size_t maxInUse;
 static Piece* waiting[kClasses];
 
-uint32_t kelpieHeapMost(void) { return mostInUse; }
+uint32_t kelpieHeapPeak(void) { return maxInUse; }
 
 static size_t sizeOf(uint32_t class) { return (size_t)kSmallest << class; }
 
@@ -48,7 +48,7 @@ void* malloc(size_t size) {
   piece->class = class;
   piece->state.asked = size + 8;
   inUse += size + 8;
-  if (inUse > mostInUse) mostInUse = inUse;
+  if (inUse > maxInUse) maxInUse = inUse;
   return (uint8_t*)piece + 8;
 }
 

@@ -11,15 +11,15 @@
 namespace kelpie::calibrate {
 namespace {
 
-constexpr int kLooks = 3;               // vision looks again with what was found
-constexpr double kFirstGate = 15.0;     // px
-constexpr std::size_t kLeastKinds = 2;  // of landmarks; lines tell the rest
+constexpr int kLooks = 3;             // vision looks again with what was found
+constexpr double kFirstGate = 15.0;   // px
+constexpr std::size_t kMinKinds = 2;  // of landmarks; lines tell the rest
 // Share of the line points near a line: 0.86 to 0.93 in 11 unlike worlds, half of them with three
 // landmarks and fewer.
-constexpr double kLeastOnLines = 0.7;
-constexpr double kMostMoved = 4.0;  // cm between the two halves of the stand
+constexpr double kMinOnLines = 0.7;
+constexpr double kMaxMoved = 4.0;  // cm between the two halves of the stand
 // Sd with the log over that without: at 0.5 the log alone tells it 1.7 times as well.
-constexpr double kTold = 0.5;
+constexpr double kReported = 0.5;
 
 using Fixed = std::array<bool, kUnknowns>;
 
@@ -57,11 +57,11 @@ class Estimator {
     seen_ = look(log_, values_, 1);
     const std::size_t kinds = landmarkKinds(seen_);
     const auto place = startPlace(log_, seen_);
-    if (kinds < kLeastKinds || !place)
+    if (kinds < kMinKinds || !place)
       return Error{"too few landmarks: " + std::to_string(kinds) +
                    " of the field's beacons and "
                    "goals are seen, " +
-                   std::to_string(kLeastKinds) + " are needed"};
+                   std::to_string(kMinKinds) + " are needed"};
     values_[kPlaceX] = place->position.x;
     values_[kPlaceY] = place->position.y;
     values_[kHeading] = place->heading.rad();
@@ -73,7 +73,7 @@ class Estimator {
   void nearest(Unknown unknown, const std::vector<double>& offsets) {
     constexpr std::size_t kEvery = 4;
     Numbers best = values_;
-    std::size_t most = 0;
+    std::size_t max = 0;
     const Numbers start = values_;
     for (const double offset : offsets) {
       Numbers tried = start;
@@ -81,8 +81,8 @@ class Estimator {
       std::size_t count = 0;
       for (const Percepts& percepts : look(log_, tried, kEvery).percepts)
         count += percepts.landmarks.size();
-      if (count <= most) continue;
-      most = count;
+      if (count <= max) continue;
+      max = count;
       best = tried;
     }
     values_ = best;
@@ -118,7 +118,7 @@ class Estimator {
     const Numbers recorded = valuesOf(log_.config->body);
     for (;;) {
       std::size_t worst = kBodyUnknowns;
-      double largest = kTold;
+      double largest = kReported;
       for (std::size_t i = 0; i < kBodyUnknowns; ++i) {
         const double sd = fit_.sd[i] * inUnit(static_cast<Unknown>(i)) / kUnknownKinds[i].priorSd;
         if (fixed_[i] || sd <= largest) continue;
@@ -156,7 +156,7 @@ class Estimator {
     const auto fitting = static_cast<std::size_t>(
         std::count_if(sightings_.begin(), sightings_.end(),
                       [](const Sighting& s) { return s.kind == SightKind::linePoint; }));
-    if (static_cast<double>(fitting) >= kLeastOnLines * static_cast<double>(seen)) return Done{};
+    if (static_cast<double>(fitting) >= kMinOnLines * static_cast<double>(seen)) return Done{};
     return Error{"what is seen does not fit the field: " + std::to_string(seen - fitting) +
                  " line points of " + std::to_string(seen) + " are on no line"};
   }
@@ -172,7 +172,7 @@ class Estimator {
     const Pose2 first = placeOf(fitted(halves[0], fixed, values_).value);
     const Pose2 second = placeOf(fitted(halves[1], fixed, values_).value);
     const double moved = distance(first.position, second.position);
-    if (moved <= kMostMoved) return Done{};
+    if (moved <= kMaxMoved) return Done{};
     return Error{"the robot was moved while it stood: by " + std::to_string(std::lround(moved)) +
                  " cm between the first half and the second"};
   }

@@ -15,12 +15,12 @@
 
 namespace kelpie::calibrate {
 
-struct Told {
+struct Estimated {
   Unknown unknown = kFocalLength;
   double value = 0.0;  // in the unknown's unit (kUnknownKinds)
   double sd = 0.0;
   double recorded = 0.0;  // what the log's robot believed
-  bool told = false;      // otherwise `value` is that as well
+  bool reported = false;  // otherwise `value` is that as well
 };
 
 // A sighting's place in the image and how far it is beside where it should be.
@@ -33,7 +33,7 @@ using Residuals = std::vector<Residual>;
 
 struct BodyEstimate {
   body::BodyParams params;
-  std::vector<Told> unknowns;  // in their order
+  std::vector<Estimated> unknowns;  // in their order
   int frames = 0;
   int stops = 0;
   double seconds = 0.0;  // of the stand

@@ -13,8 +13,8 @@ constexpr std::array<Joint, 3> kHead = {Joint::neckTilt, Joint::headPan, Joint::
 }  // namespace
 
 // Tilts of 95 % of the robots are within 3 deg (facts-2005 section 2.1), and the neck's play adds
-// to them. The focal length is within 4 % as in UnlikeParams. The others are chosen so that an
-// ERS-7's drawing is right for two thirds of the robots.
+// to them. The focal length is within 4 % as in RandomisationParams. The others are chosen so that
+// an ERS-7's drawing is right for two thirds of the robots.
 const std::array<UnknownKind, kUnknowns> kUnknownKinds{{{"lens.focalLength", "px", 8.0, 0.05},
                                                         {"lens.principalX", "px", 2.0, 0.05},
                                                         {"lens.principalY", "px", 2.0, 0.05},

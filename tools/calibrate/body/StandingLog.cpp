@@ -11,7 +11,7 @@
 namespace kelpie::calibrate {
 namespace {
 
-constexpr double kLeastSeconds = 5.0;
+constexpr double kMinSeconds = 5.0;
 // Half of it for an image that is a frame late, half for a nod that sinks by its play.
 constexpr double kRestSeconds = 0.13;
 // A neck needs 0.17 s for 2.5 deg of play (tools/sim/bodies/Backlash.cpp), the image comes on top.
@@ -19,8 +19,8 @@ constexpr double kNeckSeconds = 0.25;
 // A sensed angle spreads by 0.1 deg from frame to frame, a third of a pixel: the more are averaged
 // the better, but not while the head is still coming to rest.
 constexpr double kSettleSeconds = 0.06;
-constexpr std::size_t kLeastStops = 10;
-constexpr std::size_t kMostFrames = 400;
+constexpr std::size_t kMinStops = 10;
+constexpr std::size_t kMaxFrames = 400;
 
 // What of a frame decides whether it may be used.
 struct Moment {
@@ -169,17 +169,17 @@ std::string seconds(double value) {
 Status checkStand(const std::string& path, const std::vector<Moment>& moments, const Span& stand) {
   if (moments.empty()) return Error{path + ": holds no frames of an agent"};
   const double longest = secondsOf(moments, stand);
-  if (longest >= kLeastSeconds) return Done{};
+  if (longest >= kMinSeconds) return Done{};
   return Error{path + ": the robot's longest stand is " + seconds(longest) + " of " +
                seconds(moments.back().seconds - moments.front().seconds) + ", " +
-               seconds(kLeastSeconds) + " are needed"};
+               seconds(kMinSeconds) + " are needed"};
 }
 
 Status checkStops(const std::string& path, const StandingLog& log) {
   const std::string found = std::to_string(log.stops);
-  if (static_cast<std::size_t>(log.stops) >= kLeastStops) return Done{};
+  if (static_cast<std::size_t>(log.stops) >= kMinStops) return Done{};
   return Error{path + ": the head came to rest at " + found + " places with an image kept, " +
-               std::to_string(kLeastStops) + " are needed"};
+               std::to_string(kMinStops) + " are needed"};
 }
 
 }  // namespace
@@ -202,7 +202,7 @@ Expected<StandingLog> readStanding(const std::string& path) {
     if (!moments[i].image) rests[i].stop = -1;
     usable += rests[i].stop >= 0 ? 1 : 0;
   }
-  const std::size_t every = usable / kMostFrames + 1;
+  const std::size_t every = usable / kMaxFrames + 1;
   for (std::size_t i = 0; i < stand.end; ++i) log.pans.push_back(moments[i].head[1]);
 
   std::size_t at = 0;

@@ -42,7 +42,7 @@ struct Guess {
 Guess guessAt(Point2<Field> position, const std::vector<Direction>& seen) {
   constexpr double kHeadingSd = 0.05;   // rad: the play of the pan
   constexpr double kDistanceSd = 0.12;  // share
-  constexpr double kMostOfOne = 9.0;    // a false one does not decide
+  constexpr double kMaxOfOne = 9.0;     // a false one does not decide
   double s = 0.0;
   double c = 0.0;
   std::vector<double> turns;
@@ -58,7 +58,7 @@ Guess guessAt(Point2<Field> position, const std::vector<Direction>& seen) {
     const double turn = std::remainder(turns[i] - heading, 2.0 * maths::kPi) / kHeadingSd;
     const double away = std::max(distance(seen[i].place, position), 10.0);
     const double size = std::log(seen[i].distance / away) / kDistanceSd;
-    guess.cost += std::min(turn * turn, kMostOfOne) + std::min(size * size, kMostOfOne);
+    guess.cost += std::min(turn * turn, kMaxOfOne) + std::min(size * size, kMaxOfOne);
   }
   return guess;
 }

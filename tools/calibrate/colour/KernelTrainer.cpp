@@ -99,11 +99,11 @@ void findNear(std::vector<Cell>& cells, const KernelParams& params) {
 
 // Scores to probabilities, of the classes that have labels.
 ClassScores probabilities(const ClassScores& scores, const ClassScores& weights) {
-  const double most = *std::max_element(scores.begin(), scores.end());
+  const double max = *std::max_element(scores.begin(), scores.end());
   ClassScores out{};
   double sum = 0.0;
   for (std::size_t c = 0; c < kColourClassCount; ++c) {
-    if (weights[c] > 0.0) out[c] = std::exp(scores[c] - most);
+    if (weights[c] > 0.0) out[c] = std::exp(scores[c] - max);
     sum += out[c];
   }
   for (double& p : out) p /= sum;

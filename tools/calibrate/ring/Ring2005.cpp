@@ -27,8 +27,8 @@ Expected<std::vector<std::uint8_t>> readSized(const std::string& path, std::size
 }  // namespace
 
 std::uint8_t Ring2005::corrected(int px, int py, Yuv raw, std::size_t channel) const {
-  const int aside = std::min(std::abs(px - kRing2005Centres[channel]), kMapColumns - 1);
-  const std::size_t far = radius[static_cast<std::size_t>(py * kMapColumns + aside)];
+  const int lateral = std::min(std::abs(px - kRing2005Centres[channel]), kMapColumns - 1);
+  const std::size_t far = radius[static_cast<std::size_t>(py * kMapColumns + lateral)];
   const std::size_t column = std::min(far, radii[channel] - 1);
   return table[channel][radii[channel] * channelOf(raw, channel) + column];
 }

@@ -184,15 +184,15 @@ Centre findCentre(const std::vector<Sheet>& sheets, std::size_t channel, double 
   const auto first = solve(all, static_cast<Index>(sheets.size()), channel, priorShare);
   const double scale = scaleOf(residuals(all, first.p));
   Centre best = kImageCentre;
-  double least = costAt(sheets, channel, best, priorShare, scale);
+  double min = costAt(sheets, channel, best, priorShare, scale);
   for (double step = 4.0; step >= 1.0;) {
     Centre next = best;
     for (const Centre& way : {Centre{1, 0}, Centre{-1, 0}, Centre{0, 1}, Centre{0, -1}}) {
       const Centre tried = {best[0] + step * way[0], best[1] + step * way[1]};
       if (!allowed(tried)) continue;
       const double cost = costAt(sheets, channel, tried, priorShare, scale);
-      if (cost < least) {
-        least = cost;
+      if (cost < min) {
+        min = cost;
         next = tried;
       }
     }
@@ -278,8 +278,8 @@ bool leaveOneOut(RingFit& fit, const RingLearnParams& params) {
   std::sort(sorted.begin(), sorted.end());
   const double median = sorted[(sorted.size() - 1) / 2];
   const auto worst = std::max_element(uneven.begin(), uneven.end()) - uneven.begin();
-  const double most = uneven[static_cast<std::size_t>(worst)];
-  if (most <= std::fmax(params.maxUneven, params.unevenRatio * median)) return false;
+  const double max = uneven[static_cast<std::size_t>(worst)];
+  if (max <= std::fmax(params.maxUneven, params.unevenRatio * median)) return false;
   fit.leftOut.push_back(fit.used[static_cast<std::size_t>(worst)].name);
   fit.used.erase(fit.used.begin() + worst);
   return true;

@@ -73,9 +73,9 @@ SimplexCheck checkWithSimplex(const RingFit& fit, std::size_t channel) {
   nlopt_set_maxeval(simplex.get(), kEvaluations);
   nlopt_set_xtol_rel(simplex.get(), 1e-7);
   std::array<double, 6> x{};
-  double least = cost(6, x.data(), nullptr, &pixels);
-  for (int i = 0; i < kStarts; ++i) nlopt_optimize(simplex.get(), x.data(), &least);
-  check.simplex = std::sqrt(least);
+  double min = cost(6, x.data(), nullptr, &pixels);
+  for (int i = 0; i < kStarts; ++i) nlopt_optimize(simplex.get(), x.data(), &min);
+  check.simplex = std::sqrt(min);
   return check;
 }
 

@@ -21,15 +21,15 @@ using Histogram = std::array<int, static_cast<std::size_t>(kBins) * kBins>;
 
 // The chroma bin whose three by three neighbours hold most pixels.
 std::array<double, 2> densestChroma(const Histogram& histogram) {
-  int most = -1;
+  int max = -1;
   std::array<double, 2> best{};
   for (int cr = 1; cr + 1 < kBins; ++cr) {
     for (int cb = 1; cb + 1 < kBins; ++cb) {
       int sum = 0;
       for (int i = 0; i < 9; ++i)
         sum += histogram[static_cast<std::size_t>((cr + i / 3 - 1) * kBins + cb + i % 3 - 1)];
-      if (sum <= most) continue;
-      most = sum;
+      if (sum <= max) continue;
+      max = sum;
       best = {(cr + 0.5) * kBin, (cb + 0.5) * kBin};
     }
   }

@@ -19,9 +19,9 @@ namespace kelpie::cli {
 namespace {
 
 using calibrate::BodyEstimate;
+using calibrate::Estimated;
 using calibrate::kUnknownKinds;
 using calibrate::SightKind;
-using calibrate::Told;
 
 constexpr const char* kHelp =
     R"(
@@ -49,23 +49,24 @@ struct BodyOptions {
 };
 
 // As a file of parameters wants it: a bare number, or number and unit in quotes.
-std::string valueFor(const Told& told) {
-  const std::string unit = kUnknownKinds[told.unknown].unit;
-  return unit.empty() ? fmt::format("{:.4f}", told.value)
-                      : fmt::format("\"{:.3f}{}\"", told.value, unit);
+std::string valueFor(const Estimated& reported) {
+  const std::string unit = kUnknownKinds[reported.unknown].unit;
+  return unit.empty() ? fmt::format("{:.4f}", reported.value)
+                      : fmt::format("\"{:.3f}{}\"", reported.value, unit);
 }
 
 // Lens and body in sections of their own; only what was told.
-std::string parameterFile(const std::vector<Told>& unknowns, const std::string& heading) {
+std::string parameterFile(const std::vector<Estimated>& unknowns, const std::string& heading) {
   const std::string kLens = "lens.";
   std::string body = "[body]\n";
   std::string lens;
-  for (const Told& told : unknowns) {
-    if (!told.told || told.unknown >= calibrate::kBodyUnknowns) continue;
-    std::string name = kUnknownKinds[told.unknown].name;
+  for (const Estimated& reported : unknowns) {
+    if (!reported.reported || reported.unknown >= calibrate::kBodyUnknowns) continue;
+    std::string name = kUnknownKinds[reported.unknown].name;
     const bool ofLens = name.rfind(kLens, 0) == 0;
     if (ofLens) name.erase(0, kLens.size());
-    (ofLens ? lens : body) += fmt::format("{} = {}  # sd {:.2g}\n", name, valueFor(told), told.sd);
+    (ofLens ? lens : body) +=
+        fmt::format("{} = {}  # sd {:.2g}\n", name, valueFor(reported), reported.sd);
   }
   std::string line = heading;  // a name of a file may hold a line break
   std::replace_if(
@@ -74,37 +75,37 @@ std::string parameterFile(const std::vector<Told>& unknowns, const std::string& 
 }
 
 // What a file of parameters may hold (BodyParams::fields): a fit beyond it is no robot's.
-Status checkRanges(const std::vector<Told>& unknowns) {
+Status checkRanges(const std::vector<Estimated>& unknowns) {
   calibrate::Numbers values = calibrate::valuesOf(body::BodyParams{});
-  for (const Told& told : unknowns)
-    if (told.told && told.unknown < calibrate::kBodyUnknowns)
-      values[told.unknown] =
-          told.value / calibrate::inUnit(static_cast<calibrate::Unknown>(told.unknown));
+  for (const Estimated& reported : unknowns)
+    if (reported.reported && reported.unknown < calibrate::kBodyUnknowns)
+      values[reported.unknown] =
+          reported.value / calibrate::inUnit(static_cast<calibrate::Unknown>(reported.unknown));
   std::string why;
   if (verify(calibrate::paramsWith({}, values), &why)) return Done{};
   return Error{"what fits best is no robot's: " + why};
 }
 
-void tellOne(const Told& told) {
-  const std::string unit = kUnknownKinds[told.unknown].unit;
-  const std::string name = kUnknownKinds[told.unknown].name + (unit.empty() ? "" : ", " + unit);
-  fmt::print("{:<21} {:9.3f} ", name, told.value);
-  if (!told.told)
+void tellOne(const Estimated& reported) {
+  const std::string unit = kUnknownKinds[reported.unknown].unit;
+  const std::string name = kUnknownKinds[reported.unknown].name + (unit.empty() ? "" : ", " + unit);
+  fmt::print("{:<21} {:9.3f} ", name, reported.value);
+  if (!reported.reported)
     fmt::print("left as it was: the log cannot tell it\n");
-  else if (told.unknown < calibrate::kBodyUnknowns)
-    fmt::print("+- {:<6.3f} {:8.3f}\n", told.sd, told.recorded);
+  else if (reported.unknown < calibrate::kBodyUnknowns)
+    fmt::print("+- {:<6.3f} {:8.3f}\n", reported.sd, reported.recorded);
   else
-    fmt::print("+- {:.3f}\n", told.sd);
+    fmt::print("+- {:.3f}\n", reported.sd);
 }
 
 void tell(const BodyEstimate& e) {
   fmt::print("{:.1f} s of standing, {} stops of the head, {} frames, {} landmarks\n\n", e.seconds,
              e.stops, e.frames, e.landmarkKinds);
   fmt::print("{:<21} {:>9}    {:<6} {:>8}\n", "body parameter", "found", "sd", "was");
-  for (const Told& told : e.unknowns) {
-    if (told.unknown == calibrate::kBodyUnknowns)
+  for (const Estimated& reported : e.unknowns) {
+    if (reported.unknown == calibrate::kBodyUnknowns)
       fmt::print("\nfound beside them, in no file of parameters\n");
-    tellOne(told);
+    tellOne(reported);
   }
   fmt::print("\n{:<18} median miss before -> after\n", "sightings");
   for (std::size_t i = 0; i < calibrate::kSightKindCount; ++i) {
@@ -127,8 +128,8 @@ int fromLog(const BodyOptions& options) {
   if (!log) return fail(log.error(), kExitBadInput);
   const auto estimate = calibrate::estimateBody(*log);
   if (!estimate) return fail(options.input + ": " + estimate.error(), kExitBadInput);
-  const bool aside = options.out == "-";  // the file is all that standard output gets
-  if (!aside) tell(*estimate);
+  const bool lateral = options.out == "-";  // the file is all that standard output gets
+  if (!lateral) tell(*estimate);
   const Status within = checkRanges(estimate->unknowns);
   if (!within) return fail(within.error(), kExitBadInput);
   const int code = write(
@@ -136,7 +137,8 @@ int fromLog(const BodyOptions& options) {
   if (!options.picture.empty()) {
     const Status drawn = calibrate::writeResidualPicture(*estimate, options.picture);
     if (!drawn) return fail(drawn.error(), kExitBadInput);
-    if (!aside) fmt::print("{}: how far sightings lie beside, before and after\n", options.picture);
+    if (!lateral)
+      fmt::print("{}: how far sightings lie beside, before and after\n", options.picture);
   }
   if (log->lacks.empty() || code != kExitDone) return code;
   return fail(options.input + ": " + log->lacks + "; calibrated with the rest", kExitBadInput);
@@ -148,16 +150,17 @@ int fromSizes(const BodyOptions& options) {
   const auto fit = calibrate::fitSizes(options.input + "/");
   if (!fit) return fail(fit.error(), kExitBadInput);
   constexpr std::array<const char*, calibrate::kSizedObjects> kNames = {"ball", "beacon", "goal"};
-  const bool aside = options.out == "-";  // the file is all that standard output gets
-  for (std::size_t i = 0; i < calibrate::kSizedObjects && !aside; ++i)
+  const bool lateral = options.out == "-";  // the file is all that standard output gets
+  for (std::size_t i = 0; i < calibrate::kSizedObjects && !lateral; ++i)
     fmt::print("{:<6} {:3} measured, edge {:5.2f} px, error of distance {:.1f} -> {:.1f} cm\n",
                kNames[i], fit->measured[i], fit->optics[i].edge, fit->before[i].rms,
                fit->after[i].rms);
-  if (!aside) fmt::print("lens.focalLength {:9.3f} +- {:.3f} px\n", fit->focalLength, fit->focalSd);
-  Told focal;
+  if (!lateral)
+    fmt::print("lens.focalLength {:9.3f} +- {:.3f} px\n", fit->focalLength, fit->focalSd);
+  Estimated focal;
   focal.value = fit->focalLength;
   focal.sd = fit->focalSd;
-  focal.told = true;
+  focal.reported = true;
   const Status within = checkRanges({focal});
   if (!within) return fail(within.error(), kExitBadInput);
   return write(options, parameterFile({focal}, "kelpie calibrate body from " + options.input));

@@ -104,11 +104,12 @@ std::string compare(const calibrate::RingVerdict& verdict) {
   for (std::size_t c = 0; c < 3; ++c)
     if (isWorse(verdict, c)) worse.push_back(c);
   if (worse.empty()) return "";
-  const std::string told = "less even than before through this table: " + listed(verdict, worse);
-  fail("warning: the sheets look " + told +
+  const std::string reported =
+      "less even than before through this table: " + listed(verdict, worse);
+  fail("warning: the sheets look " + reported +
            "; it is written all the same: try more sheets, even and of more colours",
        kExitDone);
-  return "; " + told;
+  return "; " + reported;
 }
 
 Expected<vision::RingTable> makeTable(const RingOptions& options, const vision::RobotShift& shift,

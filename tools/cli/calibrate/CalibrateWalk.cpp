@@ -89,14 +89,14 @@ void calibrated(WalkKind kind, std::uint64_t seed, int models, actuator::WalkSet
     set.calibration = learn::fitCalibration(samples.speeds);
   }
   set.freeLoad = learn::fitFreeLoad(samples.speeds);
-  std::vector<std::vector<learn::WaySample>> ways(varied.size());
+  std::vector<std::vector<learn::PathSample>> ways(varied.size());
   host::onCores(varied.size(), [&](std::size_t i) {
-    ways[i] = learn::sampleWays(kind, set, varied[i], kCommands, seed + i);
+    ways[i] = learn::samplePaths(kind, set, varied[i], kCommands, seed + i);
   });
   for (std::size_t i = 1; i < ways.size(); ++i)
     ways[0].insert(ways[0].end(), ways[i].begin(), ways[i].end());
   set.odometry = learn::fitOdometry(ways[0]);
-  set.sway = learn::fitSway(samples.sways, set.odometry, set.most);
+  set.oscillation = learn::fitOscillation(samples.oscillations, set.odometry, set.max);
 }
 
 // Of five models: the mean and the slowest.
@@ -106,14 +106,14 @@ std::string judged(WalkKind kind, const actuator::WalkSet& set) {
   plan.randomSeconds = 60.0;
   const auto models = learn::variedModels(kJudgesFrom, kJudges, kJudgingStep);
   const auto trials = learn::tryOnAll(plan, set, models, kJudgesFrom);
-  std::array<double, learn::kWalkWays> mean{};
-  std::array<double, learn::kWalkWays> least{};
+  std::array<double, learn::kWalkDirections> mean{};
+  std::array<double, learn::kWalkDirections> min{};
   int falls = 0;
-  for (std::size_t way = 0; way < learn::kWalkWays; ++way) {
-    least[way] = trials[0].speed[way];
+  for (std::size_t way = 0; way < learn::kWalkDirections; ++way) {
+    min[way] = trials[0].speed[way];
     for (const auto& trial : trials) {
       mean[way] += trial.speed[way] / kJudges;
-      least[way] = std::min(least[way], trial.speed[way]);
+      min[way] = std::min(min[way], trial.speed[way]);
     }
   }
   double lost = 0.0;
@@ -126,7 +126,7 @@ std::string judged(WalkKind kind, const actuator::WalkSet& set) {
       "forward {:.1f} (slowest {:.1f}), back {:.1f} ({:.1f}), side {:.1f} ({:.1f}) cm/s, turn "
       "{:.0f} "
       "({:.0f}) deg/s; {} of {} fell within a minute{}",
-      mean[0], least[0], mean[1], least[1], mean[2], least[2], deg * mean[3], deg * least[3], falls,
+      mean[0], min[0], mean[1], min[1], mean[2], min[2], deg * mean[3], deg * min[3], falls,
       kJudges,
       kind == WalkKind::dribble ? fmt::format("; ball lost in {:.0f} %", 100.0 * lost) : "");
 }

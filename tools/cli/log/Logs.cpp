@@ -15,7 +15,7 @@
 #include "tools/cli/Version.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/picture/Jpeg.h"
-#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/bodies/Randomisation.h"
 
 namespace kelpie::cli {
 namespace {
@@ -54,7 +54,7 @@ constexpr std::array<TopicCopy, 10> kCopies = {{
     {kMotionOutputTopic, copyAs<MotionOutput>},
     {sim::kTruthTopic, copyAs<sim::TruthFrame>},
     {sim::kEventTopic, copyAs<sim::MatchEvent>},
-    {sim::kUnlikeTopic, copyAs<sim::UnlikeWorld>},
+    {sim::kRandomisedTopic, copyAs<sim::RandomisedWorld>},
 }};
 
 // The source whose next message is the oldest; the first of equals, so that order is kept.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tools/cli/Process.h"
-#include "tools/cli/Workshop.h"
+#include "tools/cli/RunDirectory.h"
 #include "tools/learn/walk/PhysicalWalker.h"
 
 namespace kelpie::cli {
@@ -33,7 +33,8 @@ double physicsOfOne(std::uint64_t seed) {
   return kWalked * CLOCKS_PER_SEC / static_cast<double>(std::clock() - begin);
 }
 
-std::vector<std::string> worldOf(const MatchBench& bench, double seconds, const Workshop& shop) {
+std::vector<std::string> worldOf(const MatchBench& bench, double seconds,
+                                 const RunDirectory& shop) {
   return {programFolder() + "/kelpie-world",
           "--socket",
           shop.path("world"),
@@ -50,7 +51,7 @@ std::vector<std::string> worldOf(const MatchBench& bench, double seconds, const 
           bench.physical ? "--physical" : "--fast"};
 }
 
-std::vector<std::string> agentOf(const MatchBench& bench, int robot, const Workshop& shop) {
+std::vector<std::string> agentOf(const MatchBench& bench, int robot, const RunDirectory& shop) {
   return {programFolder() + "/kelpie-agent",
           "--socket",
           shop.path("world"),
@@ -65,7 +66,7 @@ std::vector<std::string> agentOf(const MatchBench& bench, int robot, const Works
 
 // Seconds of the clock from the first process to the last one's end.
 Expected<double> played(const MatchBench& bench, double seconds) {
-  const Workshop shop;
+  const RunDirectory shop;
   if (!shop.ready()) return Error{"cannot make a temporary folder"};
   const auto begin = std::chrono::steady_clock::now();
   auto world = Process::start(worldOf(bench, seconds, shop), false);

@@ -19,7 +19,7 @@
 #include "tools/cli/Progress.h"
 #include "tools/cli/Version.h"
 #include "tools/cli/options/Config.h"
-#include "tools/cli/options/UnlikeOptions.h"
+#include "tools/cli/options/RandomisationOptions.h"
 #include "tools/league/Run.h"
 #include "tools/league/Table.h"
 #include "tools/session/Session.h"
@@ -97,13 +97,13 @@ class Complaints {
     const std::size_t at = line.find("behaviour: ");
     if (at == std::string::npos) return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!told_.insert(line.substr(at)).second) return;
+    if (!reported_.insert(line.substr(at)).second) return;
     fmt::print(stderr, "{} - {} (seed {}): {}\n", match.red, match.blue, match.seed, line);
   }
 
  private:
   std::mutex mutex_;
-  std::set<std::string> told_;
+  std::set<std::string> reported_;
 };
 
 // The pure function of a league: processes of its own, nothing kept.

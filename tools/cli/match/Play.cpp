@@ -419,8 +419,8 @@ void addPlay(CommandLine& app, int& code) {
                     "spectators"}));
   command.flag("--physical,!--fast", session.physical,
                "Bodies with masses, servos and contacts (the default), or kinematic ones");
-  addUnlikeOptions(command, session.unlike);
-  addLeanOptions(command, session.unlike);
+  addRandomisationOptions(command, session.randomised);
+  addLeanOptions(command, session.randomised);
   command
       .option("--images", options->images,
               "Which images the log keeps: some (all of the first 20 s, then one in 5 s; the "

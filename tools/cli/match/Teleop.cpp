@@ -12,8 +12,8 @@
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
+#include "tools/cli/RunDirectory.h"
 #include "tools/cli/WholeFile.h"
-#include "tools/cli/Workshop.h"
 #include "tools/cli/options/StagingOptions.h"
 #include "tools/cli/options/Usage.h"
 #include "tools/session/MatchFolder.h"
@@ -146,9 +146,9 @@ int runTeleop(TeleopOptions& options) {
   for (const auto& note : folder->notes()) fmt::print(stderr, "{}\n", note);
   session.log = folder->file("teleop.mcap");
 
-  const Workshop workshop;
-  if (!workshop.ready()) return fail("cannot make a temporary folder", kExitMachine);
-  session.driver = workshop.path("driver");
+  const RunDirectory runDirectory;
+  if (!runDirectory.ready()) return fail("cannot make a temporary folder", kExitMachine);
+  session.driver = runDirectory.path("driver");
   auto listener = host::Listener::open(session.driver);
   if (!listener) return fail(listener.error(), kExitMachine);
   return report(options, drive(options, std::move(keys), std::move(*listener), *folder));

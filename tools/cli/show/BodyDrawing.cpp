@@ -14,7 +14,7 @@ using sim::Shape;
 // cm of the window, from the robot's place.
 constexpr double kBehind = -35.0;
 constexpr double kAhead = 50.0;
-constexpr double kAside = 36.0;
+constexpr double kLateral = 36.0;
 constexpr double kTop = 33.0;
 constexpr double kBelow = -3.0;
 constexpr double kGrid = 10.0;
@@ -37,7 +37,7 @@ struct Seen {
 Seen seen(const Point3<Field>& p, const Pose2& origin, View view) {
   const Point2<Robot> at = robotFromField(origin, {p.x, p.y});
   if (view == View::side) return {at.y - kBehind, kTop - p.z, at.x};
-  return {at.y - kBehind, at.x + kAside, p.z};
+  return {at.y - kBehind, at.x + kLateral, p.z};
 }
 
 cv::Scalar inkOf(BodyPart part) {
@@ -80,11 +80,11 @@ cv::Mat ground(View view, double scale) {
     picture(cv::Range(px(kTop), picture.rows), cv::Range::all()).setTo(kCarpet);
     return picture;
   }
-  cv::Mat picture(px(2 * kAside), width, CV_8UC3, kCarpet);
+  cv::Mat picture(px(2 * kLateral), width, CV_8UC3, kCarpet);
   for (double y = std::ceil(kBehind / kGrid) * kGrid; y < kAhead; y += kGrid)
     cv::line(picture, {px(y - kBehind), 0}, {px(y - kBehind), picture.rows}, kCarpetLine);
-  for (double x = std::ceil(-kAside / kGrid) * kGrid; x < kAside; x += kGrid)
-    cv::line(picture, {0, px(x + kAside)}, {width, px(x + kAside)}, kCarpetLine);
+  for (double x = std::ceil(-kLateral / kGrid) * kGrid; x < kLateral; x += kGrid)
+    cv::line(picture, {0, px(x + kLateral)}, {width, px(x + kLateral)}, kCarpetLine);
   return picture;
 }
 

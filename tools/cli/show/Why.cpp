@@ -103,7 +103,7 @@ class Changes {
     const bool same = at == now.size() && at == before_.command.trace.size();
     const bool first = !before_.known;
     before_ = kept(decision);
-    told = told || !now.empty() || !instead.empty();
+    reported = reported || !now.empty() || !instead.empty();
     if (!first && same && instead == instead_) return;
     instead_ = instead;
     lines += fmt::format("{:8.2f} s  {}\n", decision.seconds, words(now, at));
@@ -111,7 +111,7 @@ class Changes {
   bool any() const { return before_.known; }
 
   std::string lines;
-  bool told = false;  // a reason at all
+  bool reported = false;  // a reason at all
 
  private:
   std::string words(const Trace& now, std::size_t at) const {
@@ -136,7 +136,7 @@ int whyBetween(const WhyOptions& options) {
       readDecisions(options.log, {from, to}, [&](const Decision& d) { changes.take(d); });
   if (!log) return fail(log.error(), kExitBadInput);
   if (!changes.any()) return noFrame(options, *log, when);
-  if (!changes.told) return noTrace(options, when);
+  if (!changes.reported) return noTrace(options, when);
   fmt::print("{}", changes.lines);
   return ended(*log);
 }

@@ -133,9 +133,9 @@ void rolling(std::uint64_t seed, bool walks, Errors& errors) {
   }
 }
 
-void lying(std::uint64_t seed, bool walks, bool sway, Errors& errors) {
+void lying(std::uint64_t seed, bool walks, bool oscillation, Errors& errors) {
   Scene scene = sceneOf(seed, 0.0, walks);
-  scene.player.noise.ball.sway = sway;
+  scene.player.noise.ball.oscillation = oscillation;
   WorldModel world;
   for (double time = kFrameSeconds; time < 4.0; time += kFrameSeconds) {
     if (!advance(scene, world)) return;
@@ -157,10 +157,10 @@ void falseLast(std::uint64_t seed, double speed, double sds, JumpErrors& errors)
   WorldModel world;
   if (!watch(scene, world)) return;
   for (double time = 0.0; time < kUnseen + 1e-6; time += kFrameSeconds) {
-    const double aside = time > 0.0 ? maths::kPi / 2 : 0.0;
+    const double lateral = time > 0.0 ? maths::kPi / 2 : 0.0;
     scene.player.walk(scene.stroll.next());
     sim::roll(scene.ball, kFrameSeconds, {});
-    scene.player.turnHead(scene.player.bearingOf(scene.ball.position).rad() + aside);
+    scene.player.turnHead(scene.player.bearingOf(scene.ball.position).rad() + lateral);
     BallPercept& ball = scene.player.percepts.ball;
     if (time == 0.0) scene.player.lookAtBall(scene.ball.position);
     ball.heading = ball.heading + Angle::rad(sds * std::sqrt(ball.headingVariance));
@@ -186,7 +186,7 @@ void kicked(std::uint64_t seed, JumpErrors& errors) {
 }
 
 Expected<Json> ballFilter(const Request& request) {
-  Errors standing, walking, still, stillStanding, sway;
+  Errors standing, walking, still, stillStanding, oscillation;
   JumpErrors unseen, lyingJump, rollingJump, kick;
   Random seeds(request.seed);
   eachTrial(request, [&](const Trial& trial) {
@@ -199,7 +199,7 @@ Expected<Json> ballFilter(const Request& request) {
     rolling(seeds.next(), true, walking);
     lying(seeds.next(), true, false, still);
     lying(seeds.next(), false, false, stillStanding);
-    lying(seeds.next(), true, true, sway);
+    lying(seeds.next(), true, true, oscillation);
   });
   return Json{{"standing_cm", mean(standing.position)},
               {"standing_cm_s", mean(standing.velocity)},
@@ -209,8 +209,8 @@ Expected<Json> ballFilter(const Request& request) {
               {"still_speed_p95_cm_s", percentile(still.speed, 0.95)},
               {"still_standing_speed_cm_s", mean(stillStanding.speed)},
               {"still_standing_speed_p95_cm_s", percentile(stillStanding.speed, 0.95)},
-              {"still_sway_speed_cm_s", mean(sway.speed)},
-              {"still_sway_speed_p95_cm_s", percentile(sway.speed, 0.95)},
+              {"still_oscillation_speed_cm_s", mean(oscillation.speed)},
+              {"still_oscillation_speed_p95_cm_s", percentile(oscillation.speed, 0.95)},
               {"stop_cm", mean(standing.stop)},
               {"stop_p90_cm", percentile(standing.stop, 0.9)},
               {"stop_walking_cm", mean(walking.stop)},

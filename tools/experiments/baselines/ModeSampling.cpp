@@ -81,8 +81,8 @@ PoseObservation observationOf(const Samples& samples, std::array<int, 3> place,
     const auto peak = fitAlong(along(samples, place, axis));
     if (!peak) continue;
     mean(index) += peak->mean * samples.spacing[axis];
-    const double least = axis == 2 ? floor.headingSd.rad() : floor.sd;
-    const double sd = std::max({peak->sd * samples.spacing[axis], least, kMinSd});
+    const double min = axis == 2 ? floor.headingSd.rad() : floor.sd;
+    const double sd = std::max({peak->sd * samples.spacing[axis], min, kMinSd});
     observation.information(index, index) = 1.0 / (sd * sd);
   }
   observation.pose = poseOf(mean);

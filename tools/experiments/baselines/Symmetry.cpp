@@ -30,8 +30,8 @@ Arms armsAt(Point2<Field> place, const body::FieldDescription& field) {
     const Angle along = Angle::rad(maths::atan2(way.y, way.x));
     const Point2<Field> d = place - line.start;
     const double at = (d.x * way.x + d.y * way.y) / length;
-    const double aside = std::fabs(d.x * way.y - d.y * way.x) / length;
-    if (aside > kJoinDistance || at < -kJoinDistance || at > length + kJoinDistance) continue;
+    const double lateral = std::fabs(d.x * way.y - d.y * way.x) / length;
+    if (lateral > kJoinDistance || at < -kJoinDistance || at > length + kJoinDistance) continue;
     if (at < length - kJoinDistance) addArm(along, arms);
     if (at > kJoinDistance) addArm(along + Angle::rad(maths::kPi), arms);
   }
@@ -72,22 +72,22 @@ void addStraight(const body::FieldLine& line, PaintedFeatures& all) {
 }
 
 // Keeps the best, sorted.
-void keep(const AmbiguousPose& pose, std::size_t most, AmbiguousPoses& poses) {
+void keep(const AmbiguousPose& pose, std::size_t max, AmbiguousPoses& poses) {
   for (const AmbiguousPose& other : poses)
     if (samePose(other.pose, pose.pose, kSameCm, kSameDeg)) return;
   std::size_t at = poses.size();
   while (at > 0 && poses[at - 1].match < pose.match) --at;
-  if (at >= most) return;
-  if (poses.size() < most) poses.resize(poses.size() + 1);
+  if (at >= max) return;
+  if (poses.size() < max) poses.resize(poses.size() + 1);
   for (std::size_t i = poses.size() - 1; i > at; --i) poses[i] = poses[i - 1];
   poses[at] = pose;
 }
 
-SeenLines thinned(const SeenLines& seen, std::size_t most) {
+SeenLines thinned(const SeenLines& seen, std::size_t max) {
   SeenLines few;
   few.carpet = seen.carpet;
   for (std::size_t i = 0; i < seen.lines.size(); ++i)
-    if (isSpread(i, seen.lines.size(), most)) few.lines.push_back(seen.lines[i]);
+    if (isSpread(i, seen.lines.size(), max)) few.lines.push_back(seen.lines[i]);
   return few;
 }
 
@@ -126,12 +126,12 @@ Point2<Field> middlePoint(const SeenLines& seen, const Pose2& pose) {
   for (const SeenPoint& p : seen.lines) mean = mean + p.place;
   if (!seen.lines.empty()) mean = mean * (1.0 / static_cast<double>(seen.lines.size()));
   Point2<Robot> nearest = mean;
-  double least = 1e12;
+  double min = 1e12;
   for (const SeenPoint& p : seen.lines) {
     const Point2<Robot> d = p.place - mean;
     const double away = d.x * d.x + d.y * d.y;
-    if (away >= least) continue;
-    least = away;
+    if (away >= min) continue;
+    min = away;
     nearest = p.place;
   }
   return fieldFromRobot(pose, nearest);
@@ -140,20 +140,20 @@ Point2<Field> middlePoint(const SeenLines& seen, const Pose2& pose) {
 bool isInWindow(const PaintedFeature& feature, Point2<Field> point, const SymmetryParams& params) {
   const Point2<Field> d = point - feature.place;
   if (feature.kind != FeatureKind::straight) return d.norm() <= params.window;
-  const double aside = d.x * feature.direction.cos() + d.y * feature.direction.sin();
+  const double lateral = d.x * feature.direction.cos() + d.y * feature.direction.sin();
   const double along = d.y * feature.direction.cos() - d.x * feature.direction.sin();
-  return std::fabs(aside) <= params.window && std::fabs(along) <= feature.half - params.window;
+  return std::fabs(lateral) <= params.window && std::fabs(along) <= feature.half - params.window;
 }
 
 AmbiguousPoses ambiguousPoses(const SeenLines& seen, const LineFit& fit, const PaintedField& field,
                               const PaintedFeatures& painted, const LineUpdateParams& lines,
                               const SymmetryParams& params) {
   AmbiguousPoses poses;
-  const std::size_t most = std::min<std::size_t>(params.maxPoses, kMaxAmbiguousPoses);
+  const std::size_t max = std::min<std::size_t>(params.maxPoses, kMaxAmbiguousPoses);
   const Point2<Field> middle = middlePoint(seen, fit.pose);
   const SeenLines few = thinned(seen, params.points);
   keep({twinOf(fit.pose, field.description), fit.match, turned(fit.information, Angle::deg(180))},
-       most, poses);
+       max, poses);
   for (const PaintedFeature& from : painted) {
     if (!isInWindow(from, middle, params)) continue;
     const bool straight = from.kind == FeatureKind::straight;
@@ -164,7 +164,7 @@ AmbiguousPoses ambiguousPoses(const SeenLines& seen, const LineFit& fit, const P
       const Pose2 pose = movedWithFeature(fit.pose, from, to);
       const double match = lineMatch(few, pose, field.features, lines);
       if (match < lines.match) continue;
-      keep({pose, match, turned(known, to.direction - from.direction)}, most, poses);
+      keep({pose, match, turned(known, to.direction - from.direction)}, max, poses);
     }
   }
   return poses;

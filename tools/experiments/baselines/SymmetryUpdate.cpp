@@ -23,10 +23,10 @@ bool isWithin(const PoseMode& mode, const Pose2& pose) {
 using SymmetricModes = FixedVector<PoseMode, kMaxAmbiguousPoses>;
 
 // Heaviest first; the lightest is lost when there is no room.
-void keep(PoseMode mode, std::size_t most, SymmetricModes& modes) {
+void keep(PoseMode mode, std::size_t max, SymmetricModes& modes) {
   for (PoseMode& kept : modes)
     if (mode.weight > kept.weight) std::swap(mode, kept);
-  if (modes.size() < most) modes.push_back(mode);
+  if (modes.size() < max) modes.push_back(mode);
 }
 
 // Each mode corrected by each pose that looks like the found one and lies within it.

@@ -25,8 +25,8 @@ struct OfModel {
   int falls = 0;
 };
 
-bool onOwnSide(MotionKind kind, double aside) {
-  return kind == MotionKind::block || (aside < 0.0) == (kind == MotionKind::blockLeft);
+bool onOwnSide(MotionKind kind, double lateral) {
+  return kind == MotionKind::block || (lateral < 0.0) == (kind == MotionKind::blockLeft);
 }
 
 // Balls come to places evenly drawn over what the block covers on that very model.
@@ -37,14 +37,14 @@ OfModel blockOn(MotionKind kind, const sim::PhysicsParams& model, std::uint64_t 
   found.cover = learn::coverOf(stage);
   found.falls = found.cover.fell || !found.cover.stands ? 1 : 0;
   for (int i = 0; i < kBalls; ++i) {
-    const double aside = random.uniform(-found.cover.left, found.cover.right);
+    const double lateral = random.uniform(-found.cover.left, found.cover.right);
     const double speed = random.uniform(kSlow, kFast);
     const auto ball =
-        learn::tryBlock(stage, aside, speed, Angle::deg(random.uniform(-kSlant, kSlant)));
+        learn::tryBlock(stage, lateral, speed, Angle::deg(random.uniform(-kSlant, kSlant)));
     found.stopped += ball.stopped ? 1 : 0;
     found.thrownBack += ball.thrownBack ? 1 : 0;
-    found.own += onOwnSide(kind, aside) ? 1 : 0;
-    found.ownStopped += onOwnSide(kind, aside) && ball.stopped ? 1 : 0;
+    found.own += onOwnSide(kind, lateral) ? 1 : 0;
+    found.ownStopped += onOwnSide(kind, lateral) && ball.stopped ? 1 : 0;
     found.falls += ball.fell || !ball.stands ? 1 : 0;
   }
   return found;

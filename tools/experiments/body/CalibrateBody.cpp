@@ -8,7 +8,7 @@
 
 #include "tools/calibrate/body/BodyEstimate.h"
 #include "tools/calibrate/body/ResidualPicture.h"
-#include "tools/cli/Workshop.h"
+#include "tools/cli/RunDirectory.h"
 #include "tools/cli/log/Logs.h"
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/harness/Statistics.h"
@@ -25,8 +25,8 @@ constexpr double kBoth = 0.5;    // of a play: where the middle of the dead zone
 
 // Found less true, and the estimator's own standard deviations.
 struct Found {
-  bool told = false;  // not refused
-  double tilt = 0.0;  // deg, of neck and body
+  bool reported = false;  // not refused
+  double tilt = 0.0;      // deg, of neck and body
   double tiltSd = 0.0;
   double nod = 0.0;   // deg
   double roll = 0.0;  // deg, of the body
@@ -40,7 +40,7 @@ struct Found {
 
   template <int = 0>
   static constexpr auto fields() {
-    return fieldList(field("told", &Found::told), field("tilt", &Found::tilt),
+    return fieldList(field("reported", &Found::reported), field("tilt", &Found::tilt),
                      field("tiltSd", &Found::tiltSd), field("nod", &Found::nod),
                      field("roll", &Found::roll), field("rollSd", &Found::rollSd),
                      field("ahead", &Found::ahead), field("focal", &Found::focal),
@@ -50,9 +50,10 @@ struct Found {
 
 // Plays, and keeps the log of the stand.
 Status record(const agent::AgentConfig& config, const Request& request, std::uint64_t seed,
-              const std::string& path, sim::UnlikeRobot& truth) {
-  LocaliseMatch match(config, KELPIE_SOURCE_DIR "/tools/calibrate/looking", seed, request.unlike);
-  if (match.world().unlike().robots.size() > 0) truth = match.world().unlike().robots[0];
+              const std::string& path, sim::RandomisedRobot& truth) {
+  LocaliseMatch match(config, KELPIE_SOURCE_DIR "/tools/calibrate/looking", seed,
+                      request.randomised);
+  if (match.world().randomised().robots.size() > 0) truth = match.world().randomised().robots[0];
   const Status up = match.play(kGetUp, {});
   if (!up) return up;
   auto log = cli::LogFile::create(path, config, {}, cli::ImagesKept::all);
@@ -63,11 +64,11 @@ Status record(const agent::AgentConfig& config, const Request& request, std::uin
   return log->close();
 }
 
-Found compare(const BodyEstimate& e, const sim::UnlikeRobot& truth) {
+Found compare(const BodyEstimate& e, const sim::RandomisedRobot& truth) {
   const auto sdOf = [&](calibrate::Unknown unknown) { return e.unknowns[unknown].sd; };
   const sim::NeckPlay& play = truth.body.play;
   Found found;
-  found.told = true;
+  found.reported = true;
   found.tilt =
       e.params.neckTiltOffset.deg() + truth.body.lean.tilt.deg() + kBoth * play.neckTilt.deg();
   found.nod = e.params.headNodOffset.deg() + kBoth * play.headNod.deg();
@@ -83,10 +84,10 @@ Found compare(const BodyEstimate& e, const sim::UnlikeRobot& truth) {
 
 Expected<Found> calibrateOne(const Request& request, const agent::AgentConfig& config,
                              std::uint64_t seed) {
-  const cli::Workshop workshop;
-  if (!workshop.ready()) return Error{"there is no room for a temporary folder"};
-  const std::string path = workshop.path("stand.mcap");
-  sim::UnlikeRobot truth;
+  const cli::RunDirectory runDirectory;
+  if (!runDirectory.ready()) return Error{"there is no room for a temporary folder"};
+  const std::string path = runDirectory.path("stand.mcap");
+  sim::RandomisedRobot truth;
   const Status recorded = record(config, request, seed, path, truth);
   auto log = recorded ? calibrate::readStanding(path) : Error{recorded.error()};
   if (!recorded) return Error{recorded.error()};
@@ -117,13 +118,13 @@ Expected<Json> calibrateBody(const Request& request) {
       request, [&](const Trial& trial) { return calibrateOne(request, *config, trial.seed); });
   if (!all) return Error{all.error()};
   Json json;
-  Share told;
-  for (const Found& found : *all) told.count(found.told);
-  json["told_rate"] = told.value();
+  Share reported;
+  for (const Found& found : *all) reported.count(found.reported);
+  json["felt_rate"] = reported.value();
   const auto add = [&](const std::string& key, const char* unit, auto&& value) {
     Values errors;
     for (const Found& found : *all)
-      if (found.told) errors.push_back(value(found));
+      if (found.reported) errors.push_back(value(found));
     json[key + "_error_" + unit] = worst(errors);
     json[key + "_error_rms_" + unit] = rms(errors);
   };
@@ -140,7 +141,7 @@ Expected<Json> calibrateBody(const Request& request) {
 
 const Registration kCalibrateBody("calibrate-body",
                                   "body parameters found from 20 s of standing, against the truth",
-                                  {Option::trials, Option::seed, Option::unlike, Option::params,
+                                  {Option::trials, Option::seed, Option::randomised, Option::params,
                                    Option::pictures},
                                   8, calibrateBody);
 

@@ -68,13 +68,13 @@ Fallen watch(PhysicalWalker& walker) {
     const FallSide now = learn::trueSide(walker);
     sameSide = now == side ? sameSide + 1 : 0;
     side = now;
-    const FallSide told = walker.output().status.feeling.fallen;
+    const FallSide reported = walker.output().status.feeling.fallen;
     const bool rests = now != FallSide::none && sameSide >= kRest;
     const bool acts = walker.output().status.running != MotionKind::none;
     fallen.lay = fallen.lay || rests;
     fallen.wrongSide =
-        fallen.wrongSide || (rests && !acts && told != FallSide::none && told != now);
-    fallen.found = fallen.found || told != FallSide::none;
+        fallen.wrongSide || (rests && !acts && reported != FallSide::none && reported != now);
+    fallen.found = fallen.found || reported != FallSide::none;
     standing = learn::standsUpright(walker) && !acts ? standing + 1 : 0;
     if (standing == kStandsFor) fallen.seconds = t - (kStandsFor - 1) * kMessageSeconds;
   }
@@ -93,12 +93,12 @@ void throwOver(FallSide side, std::uint64_t seed, PhysicalWalker& walker) {
   const double push = random.uniform(0.4, 0.7);         // m/s
   const double spin = random.uniform(6.0, 9.0);         // rad/s
   constexpr double kHop = 0.5;                          // m/s upwards
-  const bool aside = side == FallSide::left || side == FallSide::right;
+  const bool lateral = side == FallSide::left || side == FallSide::right;
   const double sign = side == FallSide::right || side == FallSide::front ? 1.0 : -1.0;
-  const int along = aside ? 0 : 1;
+  const int along = lateral ? 0 : 1;
   for (int k = 0; k < 3; ++k) v[k] += sign * push * axes[3 * k + along];
   v[2] += kHop;
-  v[3 + (aside ? 1 : 0)] += (aside ? sign : -sign) * spin;
+  v[3 + (lateral ? 1 : 0)] += (lateral ? sign : -sign) * spin;
 }
 
 Fallen fall(FallSide side, bool thrown, std::uint64_t seed) {
@@ -128,9 +128,9 @@ int falseFalls(std::uint64_t seed) {
     if (i % kOneCommand == 0)
       command.walk = {random.uniform(-30.0, 42.0), random.uniform(-20.0, 20.0),
                       random.uniform(-3.8, 3.8)};
-    const bool told = walker.step(command).status.feeling.fallen != FallSide::none;
-    falls += told && !last && !walker.fallen() ? 1 : 0;
-    last = told;
+    const bool reported = walker.step(command).status.feeling.fallen != FallSide::none;
+    falls += reported && !last && !walker.fallen() ? 1 : 0;
+    last = reported;
   }
   return falls;
 }
@@ -169,13 +169,13 @@ Expected<Json> falls(const Request& request) {
             {"seconds_p95", percentile(seconds, 0.95)},
             {"wrong_side_rate", wrong.value()},
             {"false_a_minute", falseOnes / (request.trials * kRandom * kMessageSeconds / 60.0)}};
-  double least = 1.0;
+  double min = 1.0;
   for (std::size_t i = 0; i < kSides.size(); ++i) {
     json[std::string(kNames[i]) + "_upright_rate"] = upright[i].value();
     json[std::string(kNames[i]) + "_lay_rate"] = lay[i].value();
-    least = std::min(least, upright[i].value());
+    min = std::min(min, upright[i].value());
   }
-  json["least_upright_rate"] = least;
+  json["min_upright_rate"] = min;
   return json;
 }
 

@@ -28,9 +28,9 @@ struct Grabbed {
   learn::GrabEnd end = learn::GrabEnd::missed;
   bool keptTurning = false;
   bool keptAhead = false;
-  int told = 0;  // windows that were told rightly,
+  int reported = 0;  // windows that were told rightly,
   int windows = 0;
-  int toldEmpty = 0;
+  int reportedEmpty = 0;
   int emptyWindows = 0;
   double emptySeconds = 1.0;  // from taking the ball away until that is told
 };
@@ -73,7 +73,7 @@ void takeAway(PhysicalWalker& walker, Grabbed& grabbed) {
   }
   for (double t = grabbed.emptySeconds; t < kSettled; t += kMessageSeconds)
     walker.step(learn::holdingCommand());
-  watch(false, walker, grabbed.toldEmpty, grabbed.emptyWindows);
+  watch(false, walker, grabbed.reportedEmpty, grabbed.emptyWindows);
 }
 
 Grabbed one(Rolls rolls, bool quick, std::uint64_t seed) {
@@ -85,7 +85,7 @@ Grabbed one(Rolls rolls, bool quick, std::uint64_t seed) {
   Grabbed grabbed;
   grabbed.end = learn::grab(place, random, walker);
   if (grabbed.end != learn::GrabEnd::held) return grabbed;
-  watch(true, walker, grabbed.told, grabbed.windows);
+  watch(true, walker, grabbed.reported, grabbed.windows);
   learn::turnWithBall(kTurning, walker);
   grabbed.keptTurning = learn::holdsBall(walker);
   if (grabbed.keptTurning) {
@@ -100,7 +100,7 @@ struct Sums {
   Share success;
   Share turning;
   Share ahead;
-  Share told;
+  Share reported;
   Share fell;
   Values emptySeconds;
 
@@ -111,8 +111,8 @@ struct Sums {
     if (!held) return;
     turning.count(grabbed.keptTurning);
     if (grabbed.keptTurning) ahead.count(grabbed.keptAhead);
-    for (int i = 0; i < grabbed.windows; ++i) told.count(i < grabbed.told);
-    for (int i = 0; i < grabbed.emptyWindows; ++i) told.count(i < grabbed.toldEmpty);
+    for (int i = 0; i < grabbed.windows; ++i) reported.count(i < grabbed.reported);
+    for (int i = 0; i < grabbed.emptyWindows; ++i) reported.count(i < grabbed.reportedEmpty);
     emptySeconds.push_back(grabbed.emptySeconds);
   }
 };
@@ -136,9 +136,9 @@ Expected<Json> grabs(const Request& request) {
               {"success_quick", quick.success.value()},
               {"kept_turning", rest.turning.value()},
               {"kept_ahead", rest.ahead.value()},
-              {"told_rate", rest.told.value()},
-              {"told_rolling_rate", rolling.told.value()},
-              {"empty_told_p95_s", percentile(rest.emptySeconds, 0.95)},
+              {"felt_rate", rest.reported.value()},
+              {"felt_rolling_rate", rolling.reported.value()},
+              {"empty_felt_p95_s", percentile(rest.emptySeconds, 0.95)},
               {"fell_rate", rest.fell.value()}};
 }
 

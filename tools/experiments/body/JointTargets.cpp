@@ -29,10 +29,10 @@ struct Targets {
   bool failed = false;  // the physics did
 };
 
-double drawn(double most, Random& random) {
+double drawn(double max, Random& random) {
   if (random.chance(0.02)) return std::numeric_limits<double>::quiet_NaN();
   if (random.chance(0.02)) return 1e300;
-  return random.uniform(-most, most);
+  return random.uniform(-max, max);
 }
 
 Command anyCommand(Random& random) {
@@ -74,16 +74,16 @@ double largestStep(const JointAngles& now, const JointAngles& last) {
 void count(const learn::PhysicalWalker& walker, MotionKind before, JointAngles& last,
            const actuator::ActuatorParams& params, Targets& targets) {
   const MotionKind now = walker.output().status.running;
-  double most = std::fmax(params.walkSlew.deg(), params.headSlew.deg());
+  double max = std::fmax(params.walkSlew.deg(), params.headSlew.deg());
   for (const MotionKind kind : {before, now})
-    if (kind != MotionKind::none) most = std::fmax(most, params.motions[kind].slew.deg());
+    if (kind != MotionKind::none) max = std::fmax(max, params.motions[kind].slew.deg());
   const bool moves = before != MotionKind::none || now != MotionKind::none;
   for (const JointFrame& frame : walker.output().joints) {
     const double step = largestStep(frame.target, last);
     double& largest = moves ? targets.kick : targets.step;
     largest = std::fmax(largest, step);
     targets.outside += inside(frame.target) ? 0 : 1;
-    targets.tooFast += step <= most + kRounding ? 0 : 1;
+    targets.tooFast += step <= max + kRounding ? 0 : 1;
     ++targets.ticks;
     last = frame.target;
   }

@@ -30,7 +30,7 @@ constexpr double kSurest = 2.0;            // deg and cm: as kick_table.py, SD_F
 constexpr std::size_t kBins = 5;           // of equal chances
 
 // What was said and what happened.
-struct Told {
+struct Compared {
   learn::KickCell said;
   learn::Kicked kicked;
   Point2<Robot> place;  // as the motion begins; of a held ball nowhere
@@ -86,7 +86,7 @@ class Judge {
       standing_[i] = learn::standingStart(models_[i], request_.seed + i);
     });
     addJobs();
-    std::vector<std::optional<Told>> all(jobs_.size());
+    std::vector<std::optional<Compared>> all(jobs_.size());
     host::onCores(jobs_.size(), [&](std::size_t i) {
       all[i] = run(jobs_[i]);
       tell();
@@ -94,10 +94,10 @@ class Judge {
     Json json;
     for (const learn::KickGrid& grid : map_)
       json[nameOf(grid)] =
-          figuresOf(toldOf(all, [&](const Job& job) { return job.grid == &grid; }));
+          figuresOf(comparedOf(all, [&](const Job& job) { return job.grid == &grid; }));
     for (const KickFrom from : {KickFrom::standing, KickFrom::walking})
       json[from == KickFrom::walking ? "free_walking" : "free_standing"] =
-          figuresOf(toldOf(all, [&](const Job& job) { return job.grid->from == from; }));
+          figuresOf(comparedOf(all, [&](const Job& job) { return job.grid->from == from; }));
     trace(all);
     return json;
   }
@@ -127,28 +127,29 @@ class Judge {
   }
 
   template <class Which>
-  std::vector<Told> toldOf(const std::vector<std::optional<Told>>& all, Which which) const {
-    std::vector<Told> told;
+  std::vector<Compared> comparedOf(const std::vector<std::optional<Compared>>& all,
+                                   Which which) const {
+    std::vector<Compared> reported;
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (all[i] && which(jobs_[i])) told.push_back(*all[i]);
-    return told;
+      if (all[i] && which(jobs_[i])) reported.push_back(*all[i]);
+    return reported;
   }
 
-  std::optional<Told> run(const Job& job) const {
+  std::optional<Compared> run(const Job& job) const {
     if (job.grid->from == KickFrom::hold) return held(job);
     Random random(job.seed);
-    const double most = job.grid->aside.back();
-    const Point2<Robot> place{random.uniform(-most, most),
+    const double max = job.grid->lateral.back();
+    const Point2<Robot> place{random.uniform(-max, max),
                               random.uniform(job.grid->ahead.front(), job.grid->ahead.back())};
     const MotionKind other = learn::mirrored(job.grid->motion);
     const bool swapped = job.right && other != job.grid->motion;
-    Told told;
-    told.place = place;
-    told.said = learn::cellAt(*job.grid, {swapped ? -place.x : place.x, place.y});
-    if (swapped) told.said.direction = -told.said.direction;
+    Compared reported;
+    reported.place = place;
+    reported.said = learn::cellAt(*job.grid, {swapped ? -place.x : place.x, place.y});
+    if (swapped) reported.said.direction = -reported.said.direction;
     learn::LastSteps last;
     if (job.grid->from == KickFrom::walking) last = learn::drawLastSteps(random);
-    told.walk = last.walk;
+    reported.walk = last.walk;
     const MotionKind motion = swapped ? other : job.grid->motion;
     const learn::KickStart& standing = standing_[job.model];
     const learn::KickRun kick =
@@ -156,25 +157,25 @@ class Judge {
             ? learn::kickFrom(place, motion, standing)
             : learn::kickInStep(place, motion,
                                 learn::walkingStart(standing, last.walk, last.messages), last.walk);
-    told.kicked = kick.kicked;
-    if (!kick.counts || told.said.runs == 0) return std::nullopt;
-    return told;
+    reported.kicked = kick.kicked;
+    if (!kick.counts || reported.said.runs == 0) return std::nullopt;
+    return reported;
   }
 
-  std::optional<Told> held(const Job& job) const {
+  std::optional<Compared> held(const Job& job) const {
     learn::KickAim hold;
     hold.held = true;
     hold.ball = {0.0, learn::kHeldAhead};
     hold.scatter = 0.6;
     const auto start = learn::beforeKick(hold, models_[job.model], job.seed);
     const MotionKind motion = job.grid->motion;
-    Told told;
-    told.said = job.grid->window.whole;
-    told.kicked = learn::tryKick(actuator::standardMotions()[motion], motion, start);
-    return told;
+    Compared reported;
+    reported.said = job.grid->window.whole;
+    reported.kicked = learn::tryKick(actuator::standardMotions()[motion], motion, start);
+    return reported;
   }
 
-  void trace(const std::vector<std::optional<Told>>& all) const {
+  void trace(const std::vector<std::optional<Compared>>& all) const {
     Trace<KickRow> table(request_.tracePath("kicks"));
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!all[i]) continue;
@@ -206,23 +207,23 @@ class Judge {
   }
 
   // How far the share of balls that went is from the chances told, in bins of chances.
-  static double calibrationError(const std::vector<Told>& told) {
+  static double calibrationError(const std::vector<Compared>& reported) {
     double error = 0.0;
     for (std::size_t bin = 0; bin < kBins; ++bin) {
       double said = 0.0;
       double went = 0.0;
-      for (const Told& one : told) {
+      for (const Compared& one : reported) {
         const double share = one.said.went * static_cast<double>(kBins);
         if (std::min(static_cast<std::size_t>(share), kBins - 1) != bin) continue;
         said += one.said.went;
         went += one.went() ? 1.0 : 0.0;
       }
-      error += std::fabs(said - went) / static_cast<double>(told.size());
+      error += std::fabs(said - went) / static_cast<double>(reported.size());
     }
     return error;
   }
 
-  static Json figuresOf(const std::vector<Told>& told) {
+  static Json figuresOf(const std::vector<Compared>& reported) {
     Share went;
     Share right;
     Share fell;
@@ -232,24 +233,24 @@ class Judge {
     Values distance;
     Values distanceSd;
     double brier = 0.0;
-    for (const Told& one : told) {
+    for (const Compared& one : reported) {
       went.count(one.went());
       right.count((one.said.went >= kLikely) == one.went());
       fell.count(one.kicked.fell);
       chances.push_back(one.said.went);
       brier += maths::square(one.said.went - (one.went() ? 1.0 : 0.0)) /
-               static_cast<double>(told.size());
+               static_cast<double>(reported.size());
       if (!one.went() || one.said.went < kLikely) continue;
       direction.push_back((one.kicked.direction - one.said.direction).deg());
       directionSd.push_back(one.said.directionSd.deg());
       distance.push_back(one.kicked.distance - one.said.distance);
       distanceSd.push_back(one.said.distanceSd);
     }
-    Json json{{"runs", told.size()},
+    Json json{{"runs", reported.size()},
               {"went_share", went.value()},
               {"said_share", mean(chances)},
               {"right_share", right.value()},
-              {"chance_off_share", calibrationError(told)},
+              {"chance_off_share", calibrationError(reported)},
               {"brier", brier},
               {"fell_share", fell.value()}};
     addOff("direction_deg", direction, directionSd, json);

@@ -52,11 +52,11 @@ Expected<Json> kicks(const Request& request) {
     const learn::KickAim other = learn::mirrored(aim);
     if (other.motion != aim.motion) addKick(other, request, json);
   }
-  const auto least = [&](const char* one, const char* another) {
+  const auto min = [&](const char* one, const char* another) {
     return std::fmin(json[one].get<double>(), json[another].get<double>());
   };
-  json["swipe_cm"] = least("head_swipe_left_cm", "head_swipe_right_cm");
-  json["upenn_cm"] = least("upenn_left_cm", "upenn_right_cm");
+  json["swipe_cm"] = min("head_swipe_left_cm", "head_swipe_right_cm");
+  json["upenn_cm"] = min("upenn_left_cm", "upenn_right_cm");
   int falls = 0;
   for (const auto& [key, value] : json.items())
     if (key.find("_falls") != std::string::npos && key.find("pushed") == std::string::npos)

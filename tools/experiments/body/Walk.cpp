@@ -30,7 +30,7 @@ constexpr int kOneCommand = 40;    // 1.3 s
 
 struct Leg {
   Walked real;
-  Walked told;
+  Walked reported;
 };
 
 Leg legOf(PhysicalWalker& walker, const WalkRequest& request) {
@@ -40,8 +40,8 @@ Leg legOf(PhysicalWalker& walker, const WalkRequest& request) {
   Leg leg;
   for (int i = 0; i < kMeasured; ++i) {
     leg.real += learn::walkOn(walker, command);
-    const Odometry& told = walker.output().odometry;
-    leg.told += {told.forward, told.left, told.turn.rad()};
+    const Odometry& reported = walker.output().odometry;
+    leg.reported += {reported.forward, reported.left, reported.turn.rad()};
   }
   return leg;
 }
@@ -62,12 +62,13 @@ struct Model {
   Values wayErrors;              // percent, of ways of one to two metres
   Values turnErrors;             // deg in 360
   Values bends;                  // deg in a metre of walking straight ahead
-  double sway = 0.0;
+  double oscillation = 0.0;
   bool fell = false;
 };
 
 void judgeOdometry(const Leg& leg, Model& model) {
-  const double off = std::hypot(leg.told.forward - leg.real.forward, leg.told.left - leg.real.left);
+  const double off =
+      std::hypot(leg.reported.forward - leg.real.forward, leg.reported.left - leg.real.left);
   model.wayErrors.push_back(100.0 * off / wayOf(leg.real));
 }
 
@@ -90,7 +91,7 @@ void walkDirections(PhysicalWalker& walker, Model& model) {
 void turnRound(PhysicalWalker& walker, Model& model) {
   for (const double turn : {-1.0, -2.0, -kAllTurn, 1.0, 2.0, kAllTurn}) {
     const Leg leg = legOf(walker, {0.0, 0.0, turn});
-    model.turnErrors.push_back(360.0 * std::fabs(leg.told.turn / leg.real.turn - 1.0));
+    model.turnErrors.push_back(360.0 * std::fabs(leg.reported.turn / leg.real.turn - 1.0));
     if (turn > 2.0) model.turn = degrees(leg.real.turn) / (kMeasured * kMessageSeconds);
   }
 }

@@ -3,7 +3,7 @@
 // odometry says, and how far and straight the ball goes from each place in the kick's zone.
 #include <cmath>
 
-#include "tools/experiments/body/Ways.h"
+#include "tools/experiments/body/Paths.h"
 #include "tools/experiments/harness/Experiment.h"
 
 namespace kelpie::experiments {
@@ -23,7 +23,7 @@ void wearOut(sim::WalkingBody& body) {
 Displacement walkRatio(const WalkRequest& request, std::uint64_t seed, bool weak = false) {
   sim::WalkingBody body(seed);
   if (weak) wearOut(body);
-  Ways ways;
+  Paths ways;
   walkOn(body, request, kWalkMessages, ways);
   walkOn(body, {}, kStopMessages, ways);
   const auto& [walked, reported] = ways;
@@ -45,7 +45,7 @@ Point2<Robot> kicked(Point2<Robot> from, std::uint64_t seed) {
 Expected<Json> walkAndKick(const Request& request) {
   double shortest = 1e9;
   double sum = 0.0;
-  double aside = 0.0;
+  double lateral = 0.0;
   int kicks = 0;
   const double place = actuator::standardMotions()[MotionKind::kickForward].kick.ahead;
   for (const double ahead : {-1.0, -0.5, 0.0, 0.5, 1.0})
@@ -54,7 +54,7 @@ Expected<Json> walkAndKick(const Request& request) {
       const Point2<Robot> way = kicked({x, place + ahead}, seed);
       shortest = std::fmin(shortest, way.y);
       sum += way.y;
-      aside = std::fmax(aside, std::fabs(bearing(way).deg()));
+      lateral = std::fmax(lateral, std::fabs(bearing(way).deg()));
       ++kicks;
     }
   return Json{{"forward_ratio", walkRatio({20.0, 0.0, 0.0}, request.seed).forward},
@@ -67,7 +67,7 @@ Expected<Json> walkAndKick(const Request& request) {
               {"kicks", kicks},
               {"kick_mean_cm", sum / kicks},
               {"kick_min_cm", shortest},
-              {"kick_aside_deg", aside}};
+              {"kick_bearing_deg", lateral}};
 }
 
 const Registration kWalkAndKick("walk-and-kick",

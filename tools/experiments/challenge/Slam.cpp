@@ -321,7 +321,7 @@ Expected<ChallengeResult> playChallenge(const Request& request, agent::AgentConf
                                         std::uint64_t seed) {
   const Setup setup = setupOf(config.field, seed);
   configure(setup, config);
-  LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike);
+  LocaliseMatch match(config, cli::defaultScripts(), seed, request.randomised);
   Status status = match.world().putUp(setup.wall);
   if (!status) return Error{status.error()};
   match.world().putBall({{4.0, 4.0}, {}});  // nobody plays with it
@@ -392,7 +392,7 @@ Expected<Json> slam(const Request& request) {
 
 const Registration kSlam(
     "slam", "the 2004 localisation challenge: map of sheets on the wall, five points",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::traces}, 50, slam);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::traces}, 50, slam);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -153,7 +153,7 @@ ColourClass surfaceAt(Yuv p) {
 }
 
 // What is beside the field and wears no colour of the game; clothes do and are not counted.
-bool isRoom(Yuv p) {
+bool isSurroundings(Yuv p) {
   return chromaOf(p, sim::colours::kFloor) || chromaOf(p, sim::colours::kWall) ||
          chromaOf(p, sim::colours::kSkin) ||
          (chromaOf(p, sim::colours::kCeiling) && p.y >= kBlackBelow);
@@ -222,7 +222,7 @@ struct Scores {
   Score whole;
   std::array<Score, 3> zone;
   double room = 0.0;
-  double roomColoured = 0.0;
+  double surroundingsColoured = 0.0;
 };
 
 void addImage(const Image& image, const Image& ideal, const vision::VisionCalibration& calibration,
@@ -233,9 +233,9 @@ void addImage(const Image& image, const Image& ideal, const vision::VisionCalibr
     for (int px = vision::kUsableLeft; px < vision::kUsableRight; ++px) {
       const auto truth = vision::index(wholeSurfaceAt(ideal, px, py));
       const std::size_t found = (*classes)[Image::at(px, py)];
-      if (isRoom(ideal.pixel(px, py))) {
+      if (isSurroundings(ideal.pixel(px, py))) {
         scores.room += 1.0;
-        scores.roomColoured += isColoured(found) ? 1.0 : 0.0;
+        scores.surroundingsColoured += isColoured(found) ? 1.0 : 0.0;
       }
       if (truth == 0) continue;
       const double right = found == truth ? 1.0 : 0.0;
@@ -296,14 +296,15 @@ void addScores(Json& out, const std::string& ending, const Scores& scores) {
   out["scene_accuracy_corners" + ending] = scores.zone[2].share();
   out["scene_class_mean" + ending] = scores.whole.classMean();
   out["scene_class_mean_corners" + ending] = scores.zone[2].classMean();
-  out["room_coloured_share" + ending] = scores.roomColoured / std::fmax(1.0, scores.room);
+  out["surroundings_coloured_share" + ending] =
+      scores.surroundingsColoured / std::fmax(1.0, scores.room);
 }
 
 Expected<Json> colour(const Request& request) {
   Random random(request.seed);
   Json out = labelledFigures(random);
   ViewParams params;
-  params.unlike = cli::paramsOf(request.unlike);
+  params.randomised = cli::paramsOf(request.randomised);
   ViewMaker views(params, request.seed);
   sim::Camera idealCamera(sim::idealCamera(), {});
   SceneScores scores;
@@ -320,7 +321,7 @@ Expected<Json> colour(const Request& request) {
 
 const Registration kColour("colour",
                            "share of pixels that get their class: held-out labels, rendered views",
-                           {Option::trials, Option::seed, Option::unlike}, 60, colour);
+                           {Option::trials, Option::seed, Option::randomised}, 60, colour);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -55,8 +55,8 @@ Expected<Child> startChild(const Job& job, int number) {
   if (pid == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     close(ends[0]);
-    const bool told = writeAll(ends[1], answerOf(job, number).dump());
-    _exit(told ? 0 : 1);
+    const bool reported = writeAll(ends[1], answerOf(job, number).dump());
+    _exit(reported ? 0 : 1);
   }
   close(ends[1]);
   return Child{number, pid, ends[0], {}};

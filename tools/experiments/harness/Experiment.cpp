@@ -8,7 +8,7 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr std::array<const char*, 9> kOptionNames = {"--trials",   "--seed",  "--unlike",
+constexpr std::array<const char*, 9> kOptionNames = {"--trials",   "--seed",  "--randomise",
                                                      "--params",   "--field", "--traces",
                                                      "--pictures", "--fast",  "--minutes"};
 
@@ -37,7 +37,7 @@ Expected<Json> measure(const Experiment& experiment, const Request& request) {
   const Expected<Json> figures = experiment.run(request);
   if (!figures) return Error{std::string(experiment.name) + ": " + figures.error()};
   Json all{{"experiment", experiment.name}, {"trials", request.trials}, {"seed", request.seed}};
-  if (request.unlike.seed != 0) all["unlike"] = request.unlike.seed;
+  if (request.randomised.seed != 0) all["randomise"] = request.randomised.seed;
   all.update(*figures);
   return all;
 }

@@ -16,7 +16,7 @@
 
 #include "robot/core/Expected.h"
 #include "tools/cli/Figures.h"
-#include "tools/cli/options/UnlikeOptions.h"
+#include "tools/cli/options/RandomisationOptions.h"
 
 namespace kelpie::experiments {
 
@@ -26,7 +26,7 @@ using cli::Json;
 enum class Option : std::uint8_t {
   trials,
   seed,
-  unlike,
+  randomised,
   params,
   field,
   traces,
@@ -35,8 +35,8 @@ enum class Option : std::uint8_t {
   minutes
 };
 constexpr std::initializer_list<Option> kAllOptions = {
-    Option::trials, Option::seed,     Option::unlike, Option::params, Option::field,
-    Option::traces, Option::pictures, Option::fast,   Option::minutes};
+    Option::trials, Option::seed,     Option::randomised, Option::params, Option::field,
+    Option::traces, Option::pictures, Option::fast,       Option::minutes};
 const char* nameOf(Option option);  // "--trials"
 
 class Options {
@@ -57,7 +57,8 @@ class Options {
 struct Request {
   int trials = 1;
   std::uint64_t seed = 1;
-  cli::UnlikeOptions unlike;        // every trial draws a world of its own from it and its seed
+  cli::RandomisationOptions
+      randomised;                   // every trial draws a world of its own from it and its seed
   std::vector<std::string> params;  // the agent's TOML files
   std::string field;                // its name; empty: 2006
   std::string traces;               // folder for tables (Trace.h); empty: none

@@ -52,7 +52,7 @@ void addOptions(cli::CommandLine& app, EvaluateOptions& options) {
   app.option(nameOf(Option::seed), request.seed, "Seed of the first trial")
       .check(cli::inRange(0.0, cli::kLargestSeed))
       .showDefault();
-  cli::addUnlikeOptions(app, request.unlike);
+  cli::addRandomisationOptions(app, request.randomised);
   app.option(nameOf(Option::params), request.params, "The agent's TOML files")
       .check(cli::existingFile());
   app.option(nameOf(Option::field), request.field,

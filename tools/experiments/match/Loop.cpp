@@ -15,7 +15,7 @@ constexpr double kMinutes = 10.0;  // of play, a trial
 
 Status playMatch(const Request& request, const agent::AgentConfig& config, const Trial& trial,
                  Values& milliseconds) {
-  LocaliseMatch match(config, cli::defaultScripts(), trial.seed, request.unlike, !request.fast);
+  LocaliseMatch match(config, cli::defaultScripts(), trial.seed, request.randomised, !request.fast);
   const auto watch = [&](const WatchedFrame& frame) {
     milliseconds.push_back(1000.0 * frame.seconds);
   };
@@ -45,7 +45,7 @@ Expected<Json> loop(const Request& request) {
 
 const Registration kLoop(
     "loop", "ten minutes of play: share of frames done within 33.3 ms on this machine",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 1, loop);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 1, loop);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -35,7 +35,7 @@ One playOne(const cli::SessionOptions& session) {
 cli::SessionOptions sessionOf(const Request& request, const Trial& trial) {
   cli::SessionOptions session;
   session.seed = trial.seed;
-  session.unlike = request.unlike;
+  session.randomised = request.randomised;
   session.physical = !request.fast;
   session.params = request.params;
   session.set = {cli::kNoReload};

@@ -78,7 +78,7 @@ Expected<Json> scoreEmptyGoal(const Request& request) {
 
 const Registration kScoreEmptyGoal(
     "score-empty-goal", "a robot against an empty goal: goals in 60 s, time, with and without grab",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 20,
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 20,
     scoreEmptyGoal);
 
 }  // namespace

@@ -225,7 +225,7 @@ Pose2 anywhere(const body::FieldDescription& field, Random& random) {
 Expected<MatchRecord> playMatch(const Request& request, const agent::AgentConfig& config,
                                 std::uint64_t seed) {
   MatchRecorder recorder(config.gps, request.tracePath("kidnap-" + std::to_string(seed)));
-  LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike, !request.fast);
+  LocaliseMatch match(config, cli::defaultScripts(), seed, request.randomised, !request.fast);
   Random random(seed ^ 0x51dca9ULL);
   for (int kidnap = 0; kidnap <= kKidnaps; ++kidnap) {
     const Status played = match.play(
@@ -267,8 +267,9 @@ Expected<Json> kidnap(const Request& request) {
 
 const Registration kKidnap(
     "kidnap", "carried away every 20 s while playing: time until the pose is right again",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::traces, Option::fast}, 8,
-    kidnap);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::traces,
+     Option::fast},
+    8, kidnap);
 
 }  // namespace
 }  // namespace kelpie::experiments

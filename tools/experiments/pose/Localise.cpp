@@ -206,7 +206,7 @@ class MatchRecorder {
 
 Expected<MatchRecord> playMatch(const Request& request, const agent::AgentConfig& config,
                                 std::uint64_t seed) {
-  LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike, !request.fast);
+  LocaliseMatch match(config, cli::defaultScripts(), seed, request.randomised, !request.fast);
   MatchRecorder recorder(config.gps, match.world().truth({}).robots[0].pose, request,
                          "localise-" + std::to_string(seed));
   const Status played =
@@ -269,8 +269,8 @@ Expected<Json> localise(const Request& request) {
 
 const Registration kLocalise(
     "localise", "three minutes of play from pixels: errors of the pose and their causes",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::field, Option::traces,
-     Option::fast},
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::field,
+     Option::traces, Option::fast},
     8, localise);
 
 }  // namespace

@@ -16,13 +16,14 @@ constexpr double kBallFromLines = 40.0;  // cm, where it lies after a goal
 constexpr double kMinToRobot = 40.0;     // cm between it and the robot
 
 std::unique_ptr<sim::World> endlessMatch(const agent::AgentConfig& config, std::uint64_t seed,
-                                         const cli::UnlikeOptions& unlike, bool physical) {
+                                         const cli::RandomisationOptions& randomised,
+                                         bool physical) {
   const body::FieldDescription& field = config.field;
   const auto setup = *sim::scenario("empty-goal", field, {{config.team, config.player}}, seed);
   sim::WorldParams params;
   params.referee.seconds = 1e5;
   params.referee.goals = 0;
-  params.unlike = cli::paramsOf(unlike);
+  params.randomised = cli::paramsOf(randomised);
   params.fast = !physical;
   return std::make_unique<sim::World>(params, field, setup, seed);
 }
@@ -38,9 +39,10 @@ Expected<agent::AgentConfig> agentConfig(const Request& request, bool physical) 
 }
 
 LocaliseMatch::LocaliseMatch(const agent::AgentConfig& config, const std::string& scripts,
-                             std::uint64_t seed, const cli::UnlikeOptions& unlike, bool physical)
+                             std::uint64_t seed, const cli::RandomisationOptions& randomised,
+                             bool physical)
     : field_(config.field),
-      world_(endlessMatch(config, seed, unlike, physical)),
+      world_(endlessMatch(config, seed, randomised, physical)),
       loops_(std::make_unique<agent::AgentLoops>(config, scripts,
                                                  static_cast<agent::LogSink&>(*this))),
       random_(seed ^ 0xba11ULL),

@@ -38,7 +38,7 @@ class LocaliseMatch : private agent::LogSink {
 
   // `scripts`: folder of behaviours. The config's field is the world's.
   LocaliseMatch(const agent::AgentConfig& config, const std::string& scripts, std::uint64_t seed,
-                const cli::UnlikeOptions& unlike, bool physical = false);
+                const cli::RandomisationOptions& randomised, bool physical = false);
 
   // Plays until that time; an error tells that the script broke.
   Status play(double seconds, const Watcher& watch);

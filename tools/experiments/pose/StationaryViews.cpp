@@ -70,7 +70,7 @@ Pose2 beside(const Pose2& pose, Random& random) {
 Expected<Stands> standAtPlaces(const Request& request, const agent::AgentConfig& config,
                                std::uint64_t seed) {
   LocaliseMatch match(config, KELPIE_SOURCE_DIR "/tools/experiments/pose/standing", seed,
-                      request.unlike);
+                      request.randomised);
   Random random(seed ^ 0x57a2dULL);
   const body::FieldDescription& field = config.field;
   Stands stands;
@@ -117,7 +117,7 @@ Expected<Json> stationaryViews(const Request& request) {
 
 const Registration kStationaryViews(
     "stationary-views", "standing, from pixels, lines alone: errors with the map and without it",
-    {Option::trials, Option::seed, Option::unlike, Option::params}, 4, stationaryViews);
+    {Option::trials, Option::seed, Option::randomised, Option::params}, 4, stationaryViews);
 
 }  // namespace
 }  // namespace kelpie::experiments

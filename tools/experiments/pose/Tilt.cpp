@@ -26,12 +26,12 @@ namespace {
 constexpr std::array<double, 9> kTilts{-3.0, -2.0, -1.5, -1.0, 0.0, 1.0, 1.5, 2.0, 3.0};  // deg
 constexpr std::size_t kLevel = 4;
 constexpr int kFrames = 240;
-constexpr int kCounted = 60;     // the last of them
-constexpr int kKnown = 150;      // from here on the tilt should be known
-constexpr int kLookedAt = 3;     // every so many frames what shows is compared with what is seen
-constexpr double kStep = 0.7;    // cm a frame
-constexpr double kSway = 0.008;  // rad a frame
-constexpr double kLost = 20.0;   // cm
+constexpr int kCounted = 60;   // the last of them
+constexpr int kKnown = 150;    // from here on the tilt should be known
+constexpr int kLookedAt = 3;   // every so many frames what shows is compared with what is seen
+constexpr double kStep = 0.7;  // cm a frame
+constexpr double kOscillation = 0.008;  // rad a frame
+constexpr double kLost = 20.0;          // cm
 // As tools/experiments/views/View.cpp has them.
 constexpr double kJointNoise = 0.0015;  // rad
 constexpr double kHeightNoise = 0.1;    // cm
@@ -59,14 +59,16 @@ struct Walked {
 // Walks and looks: the world's side, with the truth as a View.
 class PixelWalk {
  public:
-  PixelWalk(const agent::AgentConfig& config, const sim::UnlikeParams& unlike, std::uint64_t seed)
+  PixelWalk(const agent::AgentConfig& config, const sim::RandomisationParams& randomised,
+            std::uint64_t seed)
       : random_(seed ^ 0x7157ULL),
         walker_(startOf(config.field, random_), seed),
         sensorRandom_(seed ^ 0x5e45ULL) {
-    view_.real = sim::drawUnlikeRobot(unlike, seed, 0);
+    view_.real = sim::drawRandomisedRobot(randomised, seed, 0);
     // Whatever else is like: an accelerometer without a bias would tell every lean.
-    sim::UnlikeParams biased = sim::unlikeParams(1, {"body"});
-    view_.real.body.accelerationBias = sim::drawUnlikeRobot(biased, seed, 0).body.accelerationBias;
+    sim::RandomisationParams biased = sim::randomisationParams(1, {"body"});
+    view_.real.body.accelerationBias =
+        sim::drawRandomisedRobot(biased, seed, 0).body.accelerationBias;
     view_.scene = sim::fieldScene(config.field, random_.next() | 1U);
     view_.ball = {random_.uniform(30.0, 330.0), random_.uniform(30.0, 510.0)};
     sim::setBall(view_.scene, view_.ball);
@@ -75,9 +77,9 @@ class PixelWalk {
   }
 
   View& next(int frame) {
-    walker_.walk(kStep, 0.0, kSway * std::sin(frame / 20.0));
+    walker_.walk(kStep, 0.0, kOscillation * std::sin(frame / 20.0));
     view_.pose = walker_.truth.pose();
-    const double turn = kSway * std::sin(frame / 20.0);
+    const double turn = kOscillation * std::sin(frame / 20.0);
     for (std::size_t x = 0; x < kImageWidth; ++x)
       view_.columns[x] =
           exposed(frame, turn, sim::exposedAt(x, view_.real.readout) - 0.5 - view_.real.lag);
@@ -204,8 +206,9 @@ double tiltError(const WorldModel& world, const sim::Lean& lean) {
   return (world.cameraTilt.tilt + lean.tilt).abs().deg();
 }
 
-Walked walk(const agent::AgentConfig& config, const sim::UnlikeParams& unlike, std::uint64_t seed) {
-  const auto walking = std::make_unique<PixelWalk>(config, unlike, seed);
+Walked walk(const agent::AgentConfig& config, const sim::RandomisationParams& randomised,
+            std::uint64_t seed) {
+  const auto walking = std::make_unique<PixelWalk>(config, randomised, seed);
   const auto robot = std::make_unique<Believer>(config);
   Visibility visibility;
   Walked walked;
@@ -236,9 +239,9 @@ Expected<Walks> walkAtAllTilts(const Request& request, const agent::AgentConfig&
                                std::uint64_t seed) {
   Walks walks;
   for (const double tilt : kTilts) {
-    sim::UnlikeParams unlike = cli::paramsOf(request.unlike);
-    unlike.lean.tilt = Angle::deg(tilt);
-    walks.tilts.push_back(walk(config, unlike, seed));
+    sim::RandomisationParams randomised = cli::paramsOf(request.randomised);
+    randomised.lean.tilt = Angle::deg(tilt);
+    walks.tilts.push_back(walk(config, randomised, seed));
   }
   return walks;
 }
@@ -274,11 +277,11 @@ struct Tally {
 
 // Recall at 2 deg over that at 0, the smaller of both sides.
 double recallRatio(const std::array<Tally, kTilts.size()>& tallies) {
-  double least = 1.0;
+  double min = 1.0;
   for (std::size_t i = 0; i < kTilts.size(); ++i)
     if (std::fabs(kTilts[i]) == 2.0)
-      least = std::min(least, ratio(tallies[i].seen.value(), tallies[kLevel].seen.value()));
-  return least;
+      min = std::min(min, ratio(tallies[i].seen.value(), tallies[kLevel].seen.value()));
+  return min;
 }
 
 Expected<Json> tilt(const Request& request) {
@@ -307,7 +310,7 @@ Expected<Json> tilt(const Request& request) {
 
 const Registration kTilt(
     "tilt", "walks from pixels with an unknown constant tilt: pose, recall, false ones",
-    {Option::trials, Option::seed, Option::unlike, Option::params}, 12, tilt);
+    {Option::trials, Option::seed, Option::randomised, Option::params}, 12, tilt);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -14,7 +14,7 @@ constexpr double kSeconds = 20.0;    // of a try
 constexpr double kBallAhead = 26.0;  // cm, the nearest place for a ball at the start
 constexpr double kAfterHold = 0.6;   // s in which a shot comes of the hold before it
 
-enum : std::size_t { kBySight, kByPose, kWays };
+enum : std::size_t { kBySight, kByPose, kVariants };
 
 struct Found {
   bool shot = false;
@@ -79,7 +79,7 @@ Json figuresOf(const Request& request, const std::vector<Found>& all) {
 }
 
 Expected<Json> aim(const Request& request) {
-  std::array<std::vector<Found>, kWays> found;
+  std::array<std::vector<Found>, kVariants> found;
   for (auto& all : found) all.resize(static_cast<std::size_t>(request.trials));
   Tries tries;
   tries.ways = {{"sight", {"behaviour.task.aiming=0"}}, {"pose", {"behaviour.task.aiming=1"}}};
@@ -95,7 +95,7 @@ Expected<Json> aim(const Request& request) {
 }
 
 const Registration kAim("aim", "shots of a held ball: spread about the goal, by sight and by pose",
-                        {Option::trials, Option::seed, Option::unlike, Option::params,
+                        {Option::trials, Option::seed, Option::randomised, Option::params,
                          Option::fast},
                         40, aim);
 

@@ -13,7 +13,7 @@ constexpr double kSeconds = 25.0;     // of a try
 constexpr double kPast = 40.0;        // cm beyond the opponent's neck base, towards the goal
 constexpr double kShotSeconds = 2.5;  // in which a shot has got past or has not
 
-enum : std::size_t { kDodging, kPlain, kWays };
+enum : std::size_t { kDodging, kPlain, kVariants };
 
 struct Found {
   bool scored = false;
@@ -82,7 +82,7 @@ Json figuresOf(const std::vector<Found>& all) {
 }
 
 Expected<Json> dodge(const Request& request) {
-  std::array<std::vector<Found>, kWays> found;
+  std::array<std::vector<Found>, kVariants> found;
   for (auto& all : found) all.resize(static_cast<std::size_t>(request.trials));
   Tries tries;
   tries.ways = {{"dodge", {"behaviour.task.dodge=true"}},
@@ -99,7 +99,7 @@ Expected<Json> dodge(const Request& request) {
 
 const Registration kDodge(
     "dodge", "an opponent in the way: the ball past it, with dodge and without",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 40, dodge);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 40, dodge);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -30,11 +30,11 @@ struct Found {
 
 // In the robot's frame: to its right, ahead.
 sim::Ball thrownAway(Situation situation, Random& random) {
-  const double aside = random.uniform(35.0, 60.0);
+  const double lateral = random.uniform(35.0, 60.0);
   const double speed = random.uniform(30.0, 90.0);
   switch (situation) {
-    case kLeft: return {{-aside, 5.0}, {-speed, 0.0}};
-    case kRight: return {{aside, 5.0}, {speed, 0.0}};
+    case kLeft: return {{-lateral, 5.0}, {-speed, 0.0}};
+    case kRight: return {{lateral, 5.0}, {speed, 0.0}};
     case kChin: return {{random.uniform(-2.0, 2.0), 9.0}, {}};
     default: return {{random.uniform(-25.0, 25.0), random.uniform(-110.0, -50.0)}, {}};
   }
@@ -141,7 +141,7 @@ Expected<Json> findBall(const Request& request) {
 
 const Registration kFindBall(
     "find-ball", "a ball put out of sight in five ways: seconds to find it, chain, spin",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 12, findBall);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 12, findBall);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -15,7 +15,7 @@ constexpr double kReach = 40.0;  // cm from the neck base, of a kick
 constexpr double kSlow = 10.0;   // cm/s towards the goal: up to there nobody has set the ball off
 
 // Ways by number.
-enum : std::size_t { kEmpty, k2006, k2004, kWays };
+enum : std::size_t { kEmpty, k2006, k2004, kVariants };
 
 struct Found {
   bool scored = false;
@@ -88,7 +88,7 @@ Json figuresOf(const Request& request, const std::vector<Found>& all) {
 }
 
 Expected<Json> goalie(const Request& request) {
-  std::array<std::vector<Found>, kWays> found;
+  std::array<std::vector<Found>, kVariants> found;
   for (auto& all : found) all.resize(static_cast<std::size_t>(request.trials));
   Tries tries;
   tries.ways = {{"empty", {}}, {"goalie", {}}, {"goalie_2004", {}}};
@@ -122,7 +122,7 @@ Expected<Json> goalie(const Request& request) {
 
 const Registration kGoalie(
     "goalie", "an attacker against the goalie of 2006, of 2004 and none: goals in 60 s",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 50, goalie);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 50, goalie);
 
 }  // namespace
 }  // namespace kelpie::experiments

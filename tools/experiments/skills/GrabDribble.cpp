@@ -113,7 +113,8 @@ Expected<Json> grabDribble(const Request& request) {
 
 const Registration kGrabDribble(
     "grab-dribble", "a ball around a robot: grabbed, carried and released within 3 s and 50 cm",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 60, grabDribble);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 60,
+    grabDribble);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -10,16 +10,16 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kThrown = 2.5;      // s: the robot has got up and begun to walk
-constexpr double kAfter = 6.0;       // s after the throw that a try goes on
-constexpr double kToLine = 40.0;     // cm from the robot to the side line beside it
-constexpr double kBeforeEnd = 0.9;   // of its whole way a ball has gone when it leaves
-constexpr double kReach = 15.0;      // cm ahead of the neck base
-constexpr double kReachAside = 8.0;  // cm
-constexpr double kSlowest = 20.0;    // cm/s
+constexpr double kThrown = 2.5;        // s: the robot has got up and begun to walk
+constexpr double kAfter = 6.0;         // s after the throw that a try goes on
+constexpr double kToLine = 40.0;       // cm from the robot to the side line beside it
+constexpr double kBeforeEnd = 0.9;     // of its whole way a ball has gone when it leaves
+constexpr double kReach = 15.0;        // cm ahead of the neck base
+constexpr double kReachLateral = 8.0;  // cm
+constexpr double kSlowest = 20.0;      // cm/s
 constexpr double kFastest = 80.0;
 
-enum : std::size_t { kIntercepting, kChasing, kWays };
+enum : std::size_t { kIntercepting, kChasing, kVariants };
 
 struct Found {
   bool reached = false;  // before it left
@@ -63,7 +63,7 @@ void setUp(const Try& one, int trials, cli::SessionOptions& session) {
 
 bool atBall(const PlayedMoment& moment) {
   const Point2<Robot> ball = robotFromField(moment.robot(TeamColour::red), moment.truth.ball);
-  return ball.y > 0.0 && ball.y < kReach && std::fabs(ball.x) < kReachAside;
+  return ball.y > 0.0 && ball.y < kReach && std::fabs(ball.x) < kReachLateral;
 }
 
 Found foundIn(const Played& played) {
@@ -97,7 +97,7 @@ Json figuresOf(const std::vector<Found>& all) {
 }
 
 Expected<Json> intercept(const Request& request) {
-  std::array<std::vector<Found>, kWays> found;
+  std::array<std::vector<Found>, kVariants> found;
   for (auto& all : found) all.resize(static_cast<std::size_t>(request.trials));
   Tries tries;
   tries.ways = {{"intercept", {"behaviour.task.intercept=true"}},
@@ -117,7 +117,8 @@ Expected<Json> intercept(const Request& request) {
 
 const Registration kIntercept(
     "intercept", "balls that roll out past the robot: reached, by intercept or walking at",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 20, intercept);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 20,
+    intercept);
 
 }  // namespace
 }  // namespace kelpie::experiments

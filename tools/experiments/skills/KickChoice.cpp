@@ -11,7 +11,7 @@ namespace {
 constexpr double kSeconds = 40.0;  // of a try
 constexpr double kApart = 40.0;    // cm between robot and ball
 
-enum : std::size_t { kByRules, kByMap, kWays };
+enum : std::size_t { kByRules, kByMap, kVariants };
 
 struct Found {
   bool scored = false;
@@ -56,7 +56,7 @@ Json figuresOf(const std::vector<Found>& all) {
 }
 
 Expected<Json> kickChoice(const Request& request) {
-  std::array<std::vector<Found>, kWays> found;
+  std::array<std::vector<Found>, kVariants> found;
   for (auto& all : found) all.resize(static_cast<std::size_t>(request.trials));
   Tries tries;
   tries.ways = {{"rules", {"behaviour.task.kicks=0"}}, {"map", {"behaviour.task.kicks=1"}}};
@@ -75,7 +75,8 @@ Expected<Json> kickChoice(const Request& request) {
 
 const Registration kKickChoice(
     "kick-choice", "goals a try against a goalie: the thesis' kick rules and the kick map",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 40, kickChoice);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 40,
+    kickChoice);
 
 }  // namespace
 }  // namespace kelpie::experiments

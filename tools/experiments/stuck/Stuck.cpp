@@ -19,7 +19,8 @@ Expected<Json> stuck(const Request& request) {
 
 const Registration kStuck("stuck",
                           "held while walking, weak legs, scrums: what is noticed and believed",
-                          {Option::trials, Option::seed, Option::unlike, Option::params}, 8, stuck);
+                          {Option::trials, Option::seed, Option::randomised, Option::params}, 8,
+                          stuck);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -221,7 +221,7 @@ Status playScrum(const Scrum& scrum, MatchRecorder& recorder, LocaliseMatch& mat
 Expected<ScrumRecord> playMatch(const Request& request, const agent::AgentConfig& config,
                                 std::uint64_t seed) {
   MatchRecorder recorder(config.gps);
-  LocaliseMatch match(config, cli::defaultScripts(), seed, request.unlike);
+  LocaliseMatch match(config, cli::defaultScripts(), seed, request.randomised);
   Random random(seed ^ 0x5c4a11ULL);
   const auto calm = [&](double seconds) {
     const double until = match.world().time().seconds() + seconds;

@@ -15,7 +15,7 @@ constexpr std::uint8_t kHomer = 2;
 constexpr std::uint8_t kMate = 3;
 constexpr double kBeside = 45.0;  // cm from the ball to the mate: no way to the goal is kept free
 
-enum : std::size_t { kCurved, kStraight, kWays };
+enum : std::size_t { kCurved, kStraight, kVariants };
 
 void addAttackingMate(Point2<Field> ball, cli::SessionOptions& session) {
   cli::OtherRobot mate;
@@ -83,7 +83,7 @@ Values gained(const std::vector<WayHome>& curved, const std::vector<WayHome>& st
 }
 
 Expected<Json> birdOfPrey(const Request& request) {
-  std::array<std::vector<WayHome>, kWays> found;
+  std::array<std::vector<WayHome>, kVariants> found;
   for (auto& all : found) all.resize(static_cast<std::size_t>(request.trials));
   Tries tries;
   tries.ways = {{"bird_of_prey", {"behaviour.task.birdOfPrey=true"}},
@@ -104,7 +104,8 @@ Expected<Json> birdOfPrey(const Request& request) {
 
 const Registration kBirdOfPrey(
     "bird-of-prey", "two opponents on the way home: seconds and contacts, on a curve, straight",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 40, birdOfPrey);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 40,
+    birdOfPrey);
 
 }  // namespace
 }  // namespace kelpie::experiments

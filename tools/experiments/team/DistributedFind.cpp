@@ -20,9 +20,9 @@ constexpr double kUnseen = 1.0;  // s; found within, it was not hidden
 constexpr double kBehind = 18.0;
 constexpr double kMiddle = 5.0;  // cm from the neck base back to that middle
 
-enum : std::size_t { kTogether, kAlone, kWays };
-constexpr std::array<const char*, kWays> kSet = {"behaviour.task.distributedFind=true",
-                                                 "behaviour.task.distributedFind=false"};
+enum : std::size_t { kTogether, kAlone, kVariants };
+constexpr std::array<const char*, kVariants> kSet = {"behaviour.task.distributedFind=true",
+                                                     "behaviour.task.distributedFind=false"};
 
 void addForward(std::uint8_t player, const Pose2& pose, const std::string& word,
                 cli::SessionOptions& session) {
@@ -77,7 +77,7 @@ cli::SessionOptions sessionFor(const Request& request, const Try& one) {
 using Seconds = std::vector<std::optional<double>>;  // of the tries of one way
 
 // Of the pairs that count.
-Json figuresOf(const std::array<Seconds, kWays>& all, std::size_t way) {
+Json figuresOf(const std::array<Seconds, kVariants>& all, std::size_t way) {
   Share found;
   Values seconds;
   for (std::size_t i = 0; i < all[way].size(); ++i) {
@@ -95,14 +95,14 @@ Json figuresOf(const std::array<Seconds, kWays>& all, std::size_t way) {
 }
 
 Expected<Json> distributedFind(const Request& request) {
-  std::array<Seconds, kWays> found;
+  std::array<Seconds, kVariants> found;
   for (Seconds& one : found) one.resize(static_cast<std::size_t>(request.trials));
   const auto tryOf = [&](int number) {
-    return Try{static_cast<std::size_t>(number) % kWays,
-               trialOf(request, number / static_cast<int>(kWays))};
+    return Try{static_cast<std::size_t>(number) % kVariants,
+               trialOf(request, number / static_cast<int>(kVariants))};
   };
   TeamMatches matches;
-  matches.count = request.trials * static_cast<int>(kWays);
+  matches.count = request.trials * static_cast<int>(kVariants);
   matches.session = [&](int number) { return sessionFor(request, tryOf(number)); };
   matches.judge = [&](int number, const cli::SessionResult&, const TeamMatch& match) {
     const Try one = tryOf(number);
@@ -116,7 +116,7 @@ Expected<Json> distributedFind(const Request& request) {
 
 const Registration kDistributedFind(
     "distributed-find", "a ball hidden from three forwards: seconds, searched together and alone",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 40,
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 40,
     distributedFind);
 
 }  // namespace

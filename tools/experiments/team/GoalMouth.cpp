@@ -90,7 +90,7 @@ Expected<Json> goalMouth(const Request& request) {
 
 const Registration kGoalMouth(
     "goal-mouth", "scrums before a goal: how many become goals, and own goals",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 6, goalMouth);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 6, goalMouth);
 
 }  // namespace
 }  // namespace kelpie::experiments

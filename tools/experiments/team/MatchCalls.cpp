@@ -72,9 +72,11 @@ Expected<Json> matchCalls(const Request& request) {
               {"calls_per_match", calls}};
 }
 
-const Registration kMatchCalls(
-    "match", "whole matches of a team against itself: goals, outs, calls",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 4, matchCalls);
+const Registration kMatchCalls("match",
+                               "whole matches of a team against itself: goals, outs, calls",
+                               {Option::trials, Option::seed, Option::randomised, Option::params,
+                                Option::fast},
+                               4, matchCalls);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -13,7 +13,7 @@ Expected<Json> passing(const Request& request) { return comparePairs(request, kS
 
 const Registration kPassing("passing",
                             "four against four: a team that passes against one that does not",
-                            {Option::trials, Option::seed, Option::unlike, Option::params,
+                            {Option::trials, Option::seed, Option::randomised, Option::params,
                              Option::fast, Option::minutes},
                             20, passing);
 

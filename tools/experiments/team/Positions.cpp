@@ -13,7 +13,7 @@ Expected<Json> positions(const Request& request) { return comparePairs(request, 
 
 const Registration kPositions("positions",
                               "four against four: positions by tree against those by regression",
-                              {Option::trials, Option::seed, Option::unlike, Option::params,
+                              {Option::trials, Option::seed, Option::randomised, Option::params,
                                Option::fast, Option::minutes},
                               20, positions);
 

@@ -84,7 +84,7 @@ Expected<Json> ready(const Request& request) {
 }
 
 const Registration kReady("ready", "two teams cross each other on the way to their places",
-                          {Option::trials, Option::seed, Option::unlike, Option::params,
+                          {Option::trials, Option::seed, Option::randomised, Option::params,
                            Option::fast},
                           40, ready);
 

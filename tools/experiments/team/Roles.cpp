@@ -104,7 +104,7 @@ Expected<Json> roles(const Request& request) {
 
 const Registration kRoles(
     "roles", "four against four for ten minutes: one attacker, role changes, boxes",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 1, roles);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 1, roles);
 
 }  // namespace
 }  // namespace kelpie::experiments

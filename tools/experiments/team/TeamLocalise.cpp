@@ -54,7 +54,8 @@ Expected<Json> teamLocalise(const Request& request) {
 
 const Registration kTeamLocalise(
     "team-localise", "eight robots that push each other: errors of pose and of the team's ball",
-    {Option::trials, Option::seed, Option::unlike, Option::params, Option::fast}, 1, teamLocalise);
+    {Option::trials, Option::seed, Option::randomised, Option::params, Option::fast}, 1,
+    teamLocalise);
 
 }  // namespace
 }  // namespace kelpie::experiments

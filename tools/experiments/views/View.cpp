@@ -50,8 +50,9 @@ const View& ViewMaker::next() {
   if (made_++ % kViewsPerCrowd == 0)
     view_.scene = sim::fieldScene(
         params_.field, params_.crowd ? random_.next() | 1U : 0,
-        sim::drawUnlikeVenue(params_.unlike, seed_ + static_cast<std::uint64_t>(made_)));
-  view_.real = sim::drawUnlikeRobot(params_.unlike, seed_ + static_cast<std::uint64_t>(made_), 0);
+        sim::drawRandomisedVenue(params_.randomised, seed_ + static_cast<std::uint64_t>(made_)));
+  view_.real =
+      sim::drawRandomisedRobot(params_.randomised, seed_ + static_cast<std::uint64_t>(made_), 0);
   claimTilt();
   view_.robotCamera = {sim::randomShift(random_),
                        sim::randomCentres(looks_, params_.camera.artefacts.centreSd),
@@ -142,7 +143,7 @@ void ViewMaker::placeRobots() {
     if (inside && distance(middle, view_.pose.position) > 38.0 &&
         distance(middle, view_.ball) > 24.0 && awayFrom(view_.robots, middle, 36.0)) {
       look.shine = looks_.next();
-      look.uniform = sim::drawUnlikeRobot(params_.unlike, look.shine, 0).uniform;
+      look.uniform = sim::drawRandomisedRobot(params_.randomised, look.shine, 0).uniform;
       view_.robots.push_back(look);
     }
   }
@@ -168,12 +169,12 @@ void ViewMaker::lookAt(Point3<Field> target) {
 
 // Front feet somewhere in their stroke (actuator/ActuatorParams.h).
 void ViewMaker::standOnLegs() {
-  constexpr double kAside = 9.5;
+  constexpr double kLateral = 9.5;
   constexpr double kAhead = 2.0;
   constexpr double kHalfStroke = 2.9;
   const double left = kAhead + looks_.uniform(-kHalfStroke, kHalfStroke);
   const double right = kAhead + looks_.uniform(-kHalfStroke, kHalfStroke);
-  sim::setFrontFeet(joints_, stance_, {Point2<Robot>{-kAside, left}, {kAside, right}});
+  sim::setFrontFeet(joints_, stance_, {Point2<Robot>{-kLateral, left}, {kLateral, right}});
   view_.scene.own = sim::frontLegs({view_.pose, stance_, joints_, {}});
 }
 
@@ -182,8 +183,8 @@ void ViewMaker::standOnLegs() {
 JointAngles ViewMaker::inPlay(const HeadRate& rate) {
   const sim::NeckPlay& play = view_.real.body.play;
   JointAngles joints = joints_;
-  const double aside = play_.uniform(-0.5, 0.5);
-  const double pan = rate.headPan == 0.0 ? aside : rate.headPan > 0.0 ? -0.5 : 0.5;
+  const double lateral = play_.uniform(-0.5, 0.5);
+  const double pan = rate.headPan == 0.0 ? lateral : rate.headPan > 0.0 ? -0.5 : 0.5;
   const double nod = rate.headNod < 0.0 ? 0.5 : -0.5;
   joints[Joint::neckTilt] = joints[Joint::neckTilt] - play.neckTilt * 0.5;
   joints[Joint::headPan] = joints[Joint::headPan] + play.headPan * pan;

@@ -11,7 +11,7 @@
 #include "robot/body/FieldDescription.h"
 #include "robot/core/types/FrameInput.h"
 #include "tools/experiments/harness/Trials.h"
-#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/bodies/Randomisation.h"
 #include "tools/sim/camera/Camera.h"
 
 namespace kelpie::experiments {
@@ -30,7 +30,7 @@ enum class ViewTarget { ball, landmark, robot, anywhere };
 struct ViewParams {
   body::FieldDescription field = *body::fieldDescription("2006");
   sim::CameraParams camera;
-  sim::UnlikeParams unlike;
+  sim::RandomisationParams randomised;
   TiltClaim tilt;
   bool crowd = true;
   bool ball = true;
@@ -42,10 +42,10 @@ struct ViewParams {
 // Truth: to compare with what vision says, never for vision.
 struct View {
   ViewTarget target = ViewTarget::anywhere;
-  Pose2 pose;             // at the image's stamp
-  CameraPose camera;      // in the middle of the exposure, with the robot's real lean and neck
-  sim::FieldCamera eye;   // the same on the field, with its real lens
-  sim::UnlikeRobot real;  // how the robot differs
+  Pose2 pose;                 // at the image's stamp
+  CameraPose camera;          // in the middle of the exposure, with the robot's real lean and neck
+  sim::FieldCamera eye;       // the same on the field, with its real lens
+  sim::RandomisedRobot real;  // how the robot differs
   sim::ColumnCameras columns;
   Point2<Field> ball;
   std::vector<sim::RobotLook> robots;
@@ -88,7 +88,7 @@ class ViewMaker {
 // Calls use(view) for one view a trial, in the unlike world that the request asks for.
 template <class Use>
 void eachView(ViewParams params, const Request& request, Use&& use) {
-  params.unlike = cli::paramsOf(request.unlike);
+  params.randomised = cli::paramsOf(request.randomised);
   const auto maker = std::make_unique<ViewMaker>(params, request.seed);
   eachTrial(request, [&](const Trial&) { use(maker->next()); });
 }

@@ -111,7 +111,7 @@ Expected<Json> classPlanes(const Request& request) {
 
 const Registration kClassPlanes(
     "class-planes", "class planes for images: their size, and what vision loses by them",
-    {Option::trials, Option::seed, Option::unlike}, 500, classPlanes);
+    {Option::trials, Option::seed, Option::randomised}, 500, classPlanes);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -49,8 +49,8 @@ Angle postHeading(const View& view, const body::FieldDescription& field, Landmar
                   bool left) {
   const Point2<Field> goal = body::findLandmark(field.landmarks, kind)->position;
   const double out = goal.y > 0.5 * field.length ? -1.0 : 1.0;
-  const double aside = 0.5 * field.goalWidth * (left ? out : -out);
-  return bearing(robotFromField(view.pose, {goal.x + aside, goal.y}));
+  const double lateral = 0.5 * field.goalWidth * (left ? out : -out);
+  return bearing(robotFromField(view.pose, {goal.x + lateral, goal.y}));
 }
 
 Expected<Json> cutGoals(const Request& request) {
@@ -83,7 +83,7 @@ Expected<Json> cutGoals(const Request& request) {
 
 const Registration kCutGoals("cut-goals",
                              "goals that borders or robots cut: errors of heading and distance",
-                             {Option::trials, Option::seed, Option::unlike}, 6000, cutGoals);
+                             {Option::trials, Option::seed, Option::randomised}, 6000, cutGoals);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -121,13 +121,13 @@ Json figuresOf(const Candidates& all, int views) {
 
 // In unlike worlds every second view is of the like one: the curves must hold in both.
 std::vector<Request> halvesOf(const Request& request) {
-  if (request.unlike.seed == 0) return {request};
+  if (request.randomised.seed == 0) return {request};
   Request like = request;
-  like.unlike = {};
+  like.randomised = {};
   like.trials = request.trials / 2;
-  Request unlike = request;
-  unlike.trials = request.trials - like.trials;
-  return {like, unlike};
+  Request randomised = request;
+  randomised.trials = request.trials - like.trials;
+  return {like, randomised};
 }
 
 Expected<Json> doubts(const Request& request) {
@@ -159,7 +159,7 @@ Expected<Json> doubts(const Request& request) {
 
 const Registration kDoubts("doubts",
                            "candidates of each object: vision's log odds beside learned ones",
-                           {Option::trials, Option::seed, Option::unlike}, 6000, doubts);
+                           {Option::trials, Option::seed, Option::randomised}, 6000, doubts);
 
 }  // namespace
 }  // namespace kelpie::experiments

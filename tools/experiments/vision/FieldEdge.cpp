@@ -21,7 +21,7 @@ Expected<Json> fieldEdge(const Request& request) {
 
 const Registration kFieldEdge("field-edge",
                               "where the carpet ends: the fit on made-up points, views, corners",
-                              {Option::trials, Option::seed, Option::unlike}, 1000, fieldEdge);
+                              {Option::trials, Option::seed, Option::randomised}, 1000, fieldEdge);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -112,7 +112,7 @@ void addCorner(const EdgeTruth& truth, const Corner& corner, const Edges& edges,
 
 Json fieldEdgeCorners(const Request& request) {
   ViewParams params;
-  params.unlike = cli::paramsOf(request.unlike);
+  params.randomised = cli::paramsOf(request.randomised);
   ViewMaker maker(params, request.seed + 1);
   const auto state = std::make_unique<vision::VisionState>();
   const int wanted = std::max(1, request.trials / 5);

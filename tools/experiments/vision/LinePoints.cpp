@@ -259,7 +259,7 @@ Expected<Json> linePoints(const Request& request) {
 
 const Registration kLinePoints(
     "line-points", "points on lines, border and carpet: share that is true, error, recall",
-    {Option::trials, Option::seed, Option::unlike}, 400, linePoints);
+    {Option::trials, Option::seed, Option::randomised}, 400, linePoints);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -275,29 +275,29 @@ Expected<Json> tiltedObjects(const Request& request) {
   Json by = Json::array();
   for (const double tilt : {-kTilt, 0.0, kTilt}) {
     Request tilted = request;
-    tilted.unlike.tiltError = tilt;
+    tilted.randomised.tiltError = tilt;
     by.push_back(figuresOf(start, tilted));
   }
   ViewParams settled;
   settled.tilt = {0.0, 0.25, 0.35};
   Json json{{"settled", figuresOf(settled, request)}};
-  const auto least = [&by](const char* key) {
+  const auto min = [&by](const char* key) {
     return std::min(by[0][key].get<double>(), by[2][key].get<double>()) / by[1][key].get<double>();
   };
-  const auto most = [&by](const char* key) {
+  const auto max = [&by](const char* key) {
     return std::max({by[0][key].get<double>(), by[1][key].get<double>(), by[2][key].get<double>()});
   };
-  json["beacon_recall_ratio"] = least("beacon_recall_350");
-  json["goal_recall_ratio"] = least("goal_recall");
-  json["false_positives_per_1000"] = most("false_positives_per_1000");
+  json["beacon_recall_ratio"] = min("beacon_recall_350");
+  json["goal_recall_ratio"] = min("goal_recall");
+  json["false_positives_per_1000"] = max("false_positives_per_1000");
   json["by_tilt"] = by;
   return json;
 }
 
 const Registration kObjects("objects",
                             "rendered views: recall, false percepts, errors by object and distance",
-                            {Option::trials, Option::seed, Option::unlike, Option::pictures}, 6000,
-                            objects);
+                            {Option::trials, Option::seed, Option::randomised, Option::pictures},
+                            6000, objects);
 
 const Registration kTiltedObjects(
     "tilted-objects", "objects where bodies lean by -2, 0 and 2 deg, unknown, and as in play",

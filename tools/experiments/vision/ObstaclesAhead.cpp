@@ -91,7 +91,7 @@ Expected<Json> obstaclesAhead(const Request& request) {
 
 const Registration kObstaclesAhead(
     "obstacles-ahead", "dark pixels in the box ahead: hits and false alarms by threshold",
-    {Option::trials, Option::seed, Option::unlike}, 3000, obstaclesAhead);
+    {Option::trials, Option::seed, Option::randomised}, 3000, obstaclesAhead);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -106,7 +106,8 @@ Expected<Json> pinkPatches(const Request& request) {
 
 const Registration kPinkPatches("pink-patches",
                                 "pink sheets on the carpet: recall, errors, false ones",
-                                {Option::trials, Option::seed, Option::unlike}, 400, pinkPatches);
+                                {Option::trials, Option::seed, Option::randomised}, 400,
+                                pinkPatches);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -117,7 +117,7 @@ Expected<Json> robots(const Request& request) {
 
 const Registration kRobots(
     "robots", "other robots in views: recall to 200 cm, errors, false ones, wrong teams",
-    {Option::trials, Option::seed, Option::unlike}, 400, robots);
+    {Option::trials, Option::seed, Option::randomised}, 400, robots);
 
 }  // namespace
 }  // namespace kelpie::experiments

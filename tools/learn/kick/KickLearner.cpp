@@ -15,7 +15,7 @@ using actuator::MotionData;
 constexpr double kTicksPerFrame = 1.0 / (30.0 * kTickSeconds);
 
 double off(Angle direction, const KickAim& aim) {
-  const double over = std::fmax((direction - aim.most).deg(), (aim.least - direction).deg());
+  const double over = std::fmax((direction - aim.max).deg(), (aim.min - direction).deg());
   return std::fmax(0.0, over);
 }
 
@@ -107,15 +107,15 @@ std::string spreadText(const KickSpread& spread, const MotionData& motion) {
 }
 
 double gainOf(const std::vector<Kicked>& kicked, const KickAim& aim, const MotionData& motion) {
-  constexpr double kOffWorthNothing = 40.0;  // deg outside the aim's directions
+  constexpr double kWorthlessOffset = 40.0;  // deg outside the aim's directions
   constexpr double kSpread = 12.0;           // deg of standard deviation that cost a whole
   constexpr double kFrame = 0.05;            // for a frame too many
   double gain = 0.0;
   const auto count = static_cast<double>(kicked.size());
   for (const Kicked& kick : kicked) {
     const double share = kick.distance / aim.distance;
-    const double worth = share <= 1.0 ? share : 1.0 + (share - 1.0) / 20.0;
-    gain += worth * std::fmax(0.0, 1.0 - off(kick.direction, aim) / kOffWorthNothing) / count;
+    const double utility = share <= 1.0 ? share : 1.0 + (share - 1.0) / 20.0;
+    gain += utility * std::fmax(0.0, 1.0 - off(kick.direction, aim) / kWorthlessOffset) / count;
     gain -= kick.fell ? 1.0 / count : 0.0;
   }
   const KickSpread spread = spreadOf(kicked);

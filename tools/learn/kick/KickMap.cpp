@@ -39,13 +39,13 @@ KickGrid emptyGrid(MotionKind motion, KickFrom from, const KickMapPlan& plan) {
   KickGrid grid;
   grid.motion = motion;
   grid.from = from;
-  grid.aside = {0.0};
+  grid.lateral = {0.0};
   grid.ahead = {0.0};
   if (from != KickFrom::hold) {
-    grid.aside = steps(isItsOwnMirror(motion) ? 0.0 : -plan.aside, plan.aside, plan.step);
+    grid.lateral = steps(isItsOwnMirror(motion) ? 0.0 : -plan.lateral, plan.lateral, plan.step);
     grid.ahead = steps(plan.nearest, plan.furthest, plan.step);
   }
-  grid.cells.resize(grid.aside.size() * grid.ahead.size());
+  grid.cells.resize(grid.lateral.size() * grid.ahead.size());
   grid.frames = std::ceil(ticksOf(actuator::standardMotions()[motion]) * kTickSeconds * 30.0);
   return grid;
 }
@@ -79,8 +79,8 @@ struct Starts {
 
 class Learner {
  public:
-  Learner(const KickMapPlan& plan, const KickMapTold& told)
-      : plan_(plan), told_(told), map_(emptyMap(plan)), seed_(firstModelOf(plan)) {}
+  Learner(const KickMapPlan& plan, const KickMapListener& reported)
+      : plan_(plan), reported_(reported), map_(emptyMap(plan)), seed_(firstModelOf(plan)) {}
 
   KickMap learn() {
     const std::vector<Job> jobs = allJobs();
@@ -142,8 +142,8 @@ class Learner {
     Random random(seed_ ^ (number << 20U));
     const double half = 0.5 * plan_.step;
     const Point2<Robot> place{
-        grid.aside[job.cell % grid.aside.size()] + random.uniform(-half, half),
-        grid.ahead[job.cell / grid.aside.size()] + random.uniform(-half, half)};
+        grid.lateral[job.cell % grid.lateral.size()] + random.uniform(-half, half),
+        grid.ahead[job.cell / grid.lateral.size()] + random.uniform(-half, half)};
     if (grid.from == KickFrom::standing)
       return kickFrom(place, grid.motion, starts_.standing[job.trial]);
     // One of that model's.
@@ -154,7 +154,7 @@ class Learner {
   void tell(std::size_t more, std::size_t all) {
     const std::lock_guard<std::mutex> lock(mutex_);
     done_ += more;
-    if (!told_(done_, all)) goesOn_ = false;
+    if (!reported_(done_, all)) goesOn_ = false;
   }
 
   void sumUp(std::size_t g, const std::vector<Job>& jobs, const std::vector<KickRun>& runs) {
@@ -167,7 +167,7 @@ class Learner {
       if (runs[i].counts) all.push_back(runs[i].kicked);
     }
     for (std::size_t cell = 0; cell < ofCells.size(); ++cell) {
-      const bool middle = grid.aside[cell % grid.aside.size()] == 0.0;
+      const bool middle = grid.lateral[cell % grid.lateral.size()] == 0.0;
       if (middle && isItsOwnMirror(grid.motion)) addMirrorImages(ofCells[cell]);
       grid.cells[cell] = cellOf(ofCells[cell]);
     }
@@ -176,7 +176,7 @@ class Learner {
   }
 
   const KickMapPlan& plan_;
-  const KickMapTold& told_;
+  const KickMapListener& reported_;
   KickMap map_;
   std::uint64_t seed_;
   Starts starts_;
@@ -187,8 +187,8 @@ class Learner {
 
 }  // namespace
 
-KickMap learnKickMap(const KickMapPlan& plan, const KickMapTold& told) {
-  return Learner(plan, told).learn();
+KickMap learnKickMap(const KickMapPlan& plan, const KickMapListener& reported) {
+  return Learner(plan, reported).learn();
 }
 
 }  // namespace kelpie::learn

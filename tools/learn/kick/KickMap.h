@@ -26,7 +26,7 @@ using sim::kKickFroms;
 struct KickMapPlan {
   std::uint64_t seed = 1;  // of models and places
   int trials = 24;         // at each place, each on another model: some kick half as far
-  double aside = 10.0;     // cm, the outermost places
+  double lateral = 10.0;   // cm, the outermost places
   double nearest = 10.0;   // cm ahead
   double furthest = 18.0;  // cm ahead
   double step = 2.0;       // cm between places
@@ -68,7 +68,7 @@ KickWindow windowOf(const KickGrid& grid);
 
 // Is told how many of how many runs are done, from one thread at a time; `false` ends the work, and
 // the map is then empty.
-using KickMapTold = std::function<bool(std::size_t done, std::size_t all)>;
-KickMap learnKickMap(const KickMapPlan& plan, const KickMapTold& told);
+using KickMapListener = std::function<bool(std::size_t done, std::size_t all)>;
+KickMap learnKickMap(const KickMapPlan& plan, const KickMapListener& reported);
 
 }  // namespace kelpie::learn

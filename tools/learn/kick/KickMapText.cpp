@@ -71,8 +71,8 @@ std::string row(const KickGrid& grid, std::size_t index) {
   const std::string indent(13, ' ');
   std::string text;
   std::string line = "            (";
-  for (std::size_t column = 0; column < grid.aside.size(); ++column) {
-    const bool last = column + 1 == grid.aside.size();
+  for (std::size_t column = 0; column < grid.lateral.size(); ++column) {
+    const bool last = column + 1 == grid.lateral.size();
     const std::string next = outcome(grid.cell(index, column)) + (last ? ")," : ",");
     if (line.size() + next.size() + 1 > kColumns) {
       text += line + "\n";
@@ -87,9 +87,9 @@ std::string row(const KickGrid& grid, std::size_t index) {
 
 std::string places(const KickGrid& grid) {
   std::string text = fmt::format("        'ahead': {},\n        'aside': {},\n", list(grid.ahead),
-                                 list(grid.aside));
+                                 list(grid.lateral));
   text += fmt::format("        'best': {}, 'window': ({}, {}),\n        'places': (\n",
-                      place(grid.window.best), place(grid.window.least), place(grid.window.most));
+                      place(grid.window.best), place(grid.window.min), place(grid.window.max));
   for (std::size_t index = 0; index < grid.ahead.size(); ++index) text += row(grid, index);
   return text + "        ),\n";
 }

@@ -81,8 +81,8 @@ KickAim wished(MotionKind motion, const actuator::KickWish& wish) {
           held ? Point2<Robot>{0.0, kHeldAhead} : lies,
           wish.scatter,
           wish.distance,
-          Angle::deg(wish.least),
-          Angle::deg(wish.most),
+          Angle::deg(wish.min),
+          Angle::deg(wish.max),
           static_cast<int>(wish.frames)};
 }
 
@@ -105,8 +105,8 @@ KickAim mirrored(const KickAim& aim) {
   KickAim other = aim;
   other.motion = mirrored(aim.motion);
   other.ball.x = -aim.ball.x;
-  other.least = -aim.most;
-  other.most = -aim.least;
+  other.min = -aim.max;
+  other.max = -aim.min;
   return other;
 }
 

@@ -20,8 +20,8 @@ struct KickAim {
   Point2<Robot> ball;       // cm from the neck base: where it lies, before it is held
   double scatter = 1.2;     // cm, to each side of there
   double distance = 100.0;  // cm, what counts as 1
-  Angle least;
-  Angle most;
+  Angle min;
+  Angle max;
   int frames = 20;  // of 1/30 s at most
 };
 

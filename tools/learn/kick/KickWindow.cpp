@@ -28,14 +28,14 @@ struct Sums {
   }
 };
 
-double worthOf(const KickCell& cell) {
+double utilityOf(const KickCell& cell) {
   const double straight = std::fmax(0.0, 1.0 - cell.directionSd.deg() / kWildSd);
   return cell.went * straight * std::fmin(1.0, cell.distance / kFar) - cell.fell;
 }
 
 // A ball is never quite where it is thought to be: neighbours count half as much each.
-double worthAbout(const KickGrid& grid, std::size_t row, std::size_t column) {
-  double sum = worthOf(grid.cell(row, column));
+double utilityAbout(const KickGrid& grid, std::size_t row, std::size_t column) {
+  double sum = utilityOf(grid.cell(row, column));
   double weights = 1.0;
   for (int r = -1; r <= 1; ++r)
     for (int c = -1; c <= 1; ++c) {
@@ -46,8 +46,8 @@ double worthAbout(const KickGrid& grid, std::size_t row, std::size_t column) {
                                                             ? std::abs(static_cast<int>(column) + c)
                                                             : static_cast<int>(column) + c);
       const auto otherRow = row + static_cast<std::size_t>(r);
-      if (otherRow < grid.ahead.size() && otherColumn < grid.aside.size())
-        sum += 0.5 * worthOf(grid.cell(otherRow, otherColumn));
+      if (otherRow < grid.ahead.size() && otherColumn < grid.lateral.size())
+        sum += 0.5 * utilityOf(grid.cell(otherRow, otherColumn));
     }
   return sum / weights;
 }
@@ -78,7 +78,7 @@ bool isSure(const KickGrid& grid, const Block& block, const KickCell& best) {
 // The places to the left, which a kick that is its own mirror image leaves out.
 bool hasMirrorImage(const KickGrid& grid, const Block& block) {
   return isItsOwnMirror(grid.motion) && grid.from != KickFrom::hold &&
-         grid.aside[block.column] == 0.0;
+         grid.lateral[block.column] == 0.0;
 }
 
 std::size_t sizeOf(const KickGrid& grid, const Block& block) {
@@ -95,7 +95,7 @@ Block sureBlock(const KickGrid& grid, std::size_t row, std::size_t column) {
   for (block.row = 0; block.row <= row; ++block.row)
     for (block.lastRow = row; block.lastRow < grid.ahead.size(); ++block.lastRow)
       for (block.column = 0; block.column <= column; ++block.column)
-        for (block.lastColumn = column; block.lastColumn < grid.aside.size(); ++block.lastColumn)
+        for (block.lastColumn = column; block.lastColumn < grid.lateral.size(); ++block.lastColumn)
           if (sizeOf(grid, block) > sizeOf(grid, greatest) && isSure(grid, block, best))
             greatest = block;
   return greatest;
@@ -166,21 +166,21 @@ KickCell cellOf(const std::vector<KickRun>& runs) {
 
 KickWindow windowOf(const KickGrid& grid) {
   std::size_t best = 0;
-  double worth = -1e9;
+  double utility = -1e9;
   for (std::size_t i = 0; i < grid.cells.size(); ++i) {
-    const double here = worthAbout(grid, i / grid.aside.size(), i % grid.aside.size());
-    if (here <= worth) continue;
-    worth = here;
+    const double here = utilityAbout(grid, i / grid.lateral.size(), i % grid.lateral.size());
+    if (here <= utility) continue;
+    utility = here;
     best = i;
   }
-  const std::size_t row = best / grid.aside.size();
-  const std::size_t column = best % grid.aside.size();
+  const std::size_t row = best / grid.lateral.size();
+  const std::size_t column = best % grid.lateral.size();
   const Block block = sureBlock(grid, row, column);
   const double left =
-      hasMirrorImage(grid, block) ? -grid.aside[block.lastColumn] : grid.aside[block.column];
-  return {{grid.aside[column], grid.ahead[row]},
+      hasMirrorImage(grid, block) ? -grid.lateral[block.lastColumn] : grid.lateral[block.column];
+  return {{grid.lateral[column], grid.ahead[row]},
           {left, grid.ahead[block.row]},
-          {grid.aside[block.lastColumn], grid.ahead[block.lastRow]},
+          {grid.lateral[block.lastColumn], grid.ahead[block.lastRow]},
           together(grid, block, grid.cell(row, column))};
 }
 

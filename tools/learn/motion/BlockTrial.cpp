@@ -48,15 +48,15 @@ double gainOn(const actuator::MotionData& motion, const MotionStage& stage) {
   const MotionKind kind = own.command.motion;
   own.params->motions[kind] = motion;
   const MotionCourse course = playMotion(own, true);
-  double least = 1000.0;
+  double min = 1000.0;
   for (const MotionMoment& moment : course.moments) {
     if (moment.seconds < kEarly || moment.seconds > kBlockSeconds + kHeld) continue;
     const Width width = widthOf(moment, course.start);
-    if (kind != MotionKind::blockRight) least = std::fmin(least, width.left);
-    if (kind != MotionKind::blockLeft) least = std::fmin(least, width.right);
+    if (kind != MotionKind::blockRight) min = std::fmin(min, width.left);
+    if (kind != MotionKind::blockLeft) min = std::fmin(min, width.right);
   }
   const double leant = 0.02 * std::fmax(0.0, course.lean - kLeant);
-  return least / kWanted - leant - (course.fell || !course.stands ? 1.0 : 0.0);
+  return min / kWanted - leant - (course.fell || !course.stands ? 1.0 : 0.0);
 }
 
 }  // namespace
@@ -88,9 +88,9 @@ BlockCover coverOf(const MotionStage& stage) {
   return cover;
 }
 
-BlockedBall tryBlock(const MotionStage& stage, double aside, double speed, Angle from) {
+BlockedBall tryBlock(const MotionStage& stage, double lateral, double speed, Angle from) {
   MotionStage own = copyOf(stage);
-  own.rolling = {{aside, kBlockAhead}, speed, kBlockSeconds, from};
+  own.rolling = {{lateral, kBlockAhead}, speed, kBlockSeconds, from};
   const MotionCourse course = playMotion(own, false);
   const bool stopped = course.nearest > kBallPassed;
   return {stopped, stopped && course.ballVelocity.y > 0.0, course.fell, course.stands};

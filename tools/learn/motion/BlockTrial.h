@@ -32,8 +32,8 @@ struct BlockedBall {
   bool fell = false;
   bool stands = false;
 };
-// `aside`: cm to the right, where the ball comes to the line. The stage stays as it is.
-BlockedBall tryBlock(const MotionStage& stage, double aside, double speed, Angle from);
+// `lateral`: cm to the right, where the ball comes to the line. The stage stays as it is.
+BlockedBall tryBlock(const MotionStage& stage, double lateral, double speed, Angle from);
 
 // The mean over robots that stand, of a motion in place of theirs: 1 for 25 cm covered to the side
 // that it is for, of a block to both sides the lesser, all the while from 0.35 s on until 0.3 s

@@ -47,12 +47,12 @@ sim::Engine& engineOf(PhysicalWalker& walker) { return walker.bodies().physics()
 
 // By the spheres about its parts.
 double lowest(const sim::PhysicalRobot& robot, const sim::Engine& engine) {
-  double least = 1.0;
+  double min = 1.0;
   for (int geom = 0; geom < engine.model().ngeom; ++geom)
     if (robot.owns(geom))
-      least = std::fmin(least,
-                        engine.data().geom_xpos[3 * geom + 2] - engine.model().geom_rbound[geom]);
-  return least;
+      min =
+          std::fmin(min, engine.data().geom_xpos[3 * geom + 2] - engine.model().geom_rbound[geom]);
+  return min;
 }
 
 const mjtNum* trunkAxes(PhysicalWalker& walker) {

@@ -14,7 +14,7 @@ constexpr int kAfter = 16;      // 0.5 s
 // (physics.md section 10).
 constexpr double kBegin = 9.2;          // cm
 constexpr double kBeginSeconds = 0.13;  // of closing
-constexpr double kBeginAside = 3.5;     // cm
+constexpr double kBeginLateral = 3.5;   // cm
 constexpr double kFast = 32.0;          // cm/s of the approach
 constexpr double kSlow = 20.0;          // and close to the ball
 constexpr double kClose = 25.0;         // cm
@@ -62,20 +62,20 @@ Point2<Robot> meeting(const Sight& sight) {
 
 WalkRequest towards(const Sight& sight) {
   const Point2<Robot> at = meeting(sight);
-  const double aside = std::atan2(-at.x, at.y);  // left
+  const double lateral = std::atan2(-at.x, at.y);  // left
   WalkRequest request;
-  request.turn = maths::clamp(kTurnGain * aside, -3.0, 3.0);
+  request.turn = maths::clamp(kTurnGain * lateral, -3.0, 3.0);
   const double speed = at.y < kClose ? kSlow : kFast;
-  request.forward = speed * std::fmax(0.0, std::cos(1.5 * maths::clamp(aside, -1.0, 1.0)));
+  request.forward = speed * std::fmax(0.0, std::cos(1.5 * maths::clamp(lateral, -1.0, 1.0)));
   if (at.y < kClose) request.left = maths::clamp(-kSideGain * at.x, -12.0, 12.0);
   return request;
 }
 
 bool canGrab(const Sight& sight, double speed) {
   const double closing = speed - sight.velocity.y;
-  const double aside = sight.ball.x + kBeginSeconds * sight.velocity.x;
+  const double lateral = sight.ball.x + kBeginSeconds * sight.velocity.x;
   return sight.ball.y - kBeginSeconds * closing < kBegin && sight.ball.y > 0.0 &&
-         std::fabs(aside) < kBeginAside;
+         std::fabs(lateral) < kBeginLateral;
 }
 
 bool approach(const GrabPlace& place, Random& random, PhysicalWalker& walker) {

@@ -12,7 +12,7 @@ constexpr int kRest = 22;     // until all is at rest
 // Where a held ball is (physics.md section 10), from the neck base.
 constexpr double kNearest = 3.0;  // cm
 constexpr double kFurthest = 10.8;
-constexpr double kAside = 3.5;
+constexpr double kLateral = 3.5;
 
 void stand(int messages, const Command& command, PhysicalWalker& walker) {
   for (int i = 0; i < messages; ++i) walker.step(command);
@@ -43,7 +43,8 @@ void giveBall(Point2<Robot> place, PhysicalWalker& walker) {
 
 bool holdsBall(PhysicalWalker& walker) {
   const Point2<Robot> ball = robotFromField(walker.pose(), walker.bodies().ball().position);
-  return !walker.failed() && ball.y > kNearest && ball.y < kFurthest && std::fabs(ball.x) < kAside;
+  return !walker.failed() && ball.y > kNearest && ball.y < kFurthest &&
+         std::fabs(ball.x) < kLateral;
 }
 
 }  // namespace kelpie::learn

@@ -62,9 +62,9 @@ MotionStage sceneOf(MotionKind kind, const actuator::MotionData& motion,
   if (!stage.lies) stage.pose = stage.walker->pose();
   if (isBlock(kind)) {
     const double side = kind == MotionKind::blockLeft ? -1.0 : 1.0;
-    const double aside = kind == MotionKind::block ? 0.5 : 1.0;
+    const double lateral = kind == MotionKind::block ? 0.5 : 1.0;
     constexpr double kWide = 14.0;  // cm
-    stage.rolling = {{side * aside * kWide, kBlockAhead}, kSpeed, kBlockSeconds, {}};
+    stage.rolling = {{side * lateral * kWide, kBlockAhead}, kSpeed, kBlockSeconds, {}};
   }
   return stage;
 }

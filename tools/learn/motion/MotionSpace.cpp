@@ -16,8 +16,8 @@ using actuator::KeyLegs;
 using actuator::kLegJoints;
 using actuator::MotionData;
 
-constexpr double kLeastTicks = 3.0;
-constexpr double kMostTicks = 30.0;
+constexpr double kMinTicks = 3.0;
+constexpr double kMaxTicks = 30.0;
 constexpr std::size_t kSide = kLegJoints / 2;  // joints of the legs of one side: left ones first
 
 bool alike(const MotionData& motion) {
@@ -51,15 +51,15 @@ void copyToTheRight(MotionData& motion) {
 
 SearchSpace motionSpace(const MotionData& start, Angle reach) {
   SearchSpace space;
-  const auto add = [&](const std::string& name, double value, double least, double most) {
+  const auto add = [&](const std::string& name, double value, double min, double max) {
     space.names.push_back(name);
-    space.least.push_back(least);
-    space.most.push_back(most);
+    space.min.push_back(min);
+    space.max.push_back(max);
     space.start.push_back(value);
   };
   for (std::size_t f = 0; f < start.frames.size(); ++f)
     if (start.frames[f].legs == KeyLegs::angles)
-      add(fmt::format("{}.ticks", f), start.frames[f].ticks, kLeastTicks, kMostTicks);
+      add(fmt::format("{}.ticks", f), start.frames[f].ticks, kMinTicks, kMaxTicks);
   eachAngle(start, [&](const std::string& name, Angle angle, std::size_t joint) {
     const body::JointRange range = body::kJointRanges[joint];
     const double value = maths::clamp(angle.deg(), range.min, range.max);

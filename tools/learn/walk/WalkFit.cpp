@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/odometry/Told.h"
+#include "actuator/odometry/OdometryTerms.h"
 #include "tools/learn/Numbers.h"
 
 namespace kelpie::learn {
@@ -67,33 +67,36 @@ S solved(const Rows& rows) {
   return values;
 }
 
-Walked toldOf(const SwaySample& sample, const actuator::WalkOdometry& odometry) {
+Walked reckonedOf(const OscillationSample& sample, const actuator::WalkOdometry& odometry) {
   const Velocity even = actuator::likelySpeed(sample.stride.feet, {}, odometry);
   return {sample.seconds * even.forward + odometry.forward.joints * sample.joints.forward,
           sample.seconds * even.left + odometry.left.joints * sample.joints.left,
           sample.seconds * even.turn + odometry.turn.joints * sample.joints.turn};
 }
 
-actuator::SwayCurve fitLean(const std::vector<SwaySample>& samples, double SwaySample::*quantity,
-                            const actuator::StrokeLimits& most, actuator::SwaySide side) {
+actuator::OscillationCurve fitLean(const std::vector<OscillationSample>& samples,
+                                   double OscillationSample::*quantity,
+                                   const actuator::StrokeLimits& max,
+                                   actuator::OscillationSymmetry side) {
   Rows rows;
-  for (const SwaySample& sample : samples)
-    rows.add(numbersOf(actuator::swayFactors(sample.stride, most, side)), sample.*quantity);
-  return solved<actuator::SwayCurve>(rows);
+  for (const OscillationSample& sample : samples)
+    rows.add(numbersOf(actuator::oscillationFactors(sample.stride, max, side)), sample.*quantity);
+  return solved<actuator::OscillationCurve>(rows);
 }
 
 // What the odometry does not tell of a way between two instants is a difference of swings.
-actuator::SwayCurve fitSwing(const std::vector<SwaySample>& samples, double Walked::*axis,
-                             const actuator::WalkOdometry& odometry,
-                             const actuator::StrokeLimits& most, actuator::SwaySide side) {
+actuator::OscillationCurve fitSwing(const std::vector<OscillationSample>& samples,
+                                    double Walked::*axis, const actuator::WalkOdometry& odometry,
+                                    const actuator::StrokeLimits& max,
+                                    actuator::OscillationSymmetry side) {
   Rows rows;
-  for (const SwaySample& sample : samples) {
-    std::vector<double> row = numbersOf(actuator::swayFactors(sample.stride, most, side));
-    const auto before = numbersOf(actuator::swayFactors(sample.before, most, side));
+  for (const OscillationSample& sample : samples) {
+    std::vector<double> row = numbersOf(actuator::oscillationFactors(sample.stride, max, side));
+    const auto before = numbersOf(actuator::oscillationFactors(sample.before, max, side));
     for (std::size_t i = 0; i < row.size(); ++i) row[i] -= before[i];
-    rows.add(row, sample.moved.*axis - toldOf(sample, odometry).*axis);
+    rows.add(row, sample.moved.*axis - reckonedOf(sample, odometry).*axis);
   }
-  return solved<actuator::SwayCurve>(rows);
+  return solved<actuator::OscillationCurve>(rows);
 }
 
 }  // namespace
@@ -103,14 +106,14 @@ WalkCalibration fitCalibration(const std::vector<SpeedSample>& samples) {
   Rows left;
   Rows turn;
   for (const SpeedSample& sample : samples) {
-    const auto& [ahead, aside, round] = sample.feet;
+    const auto& [ahead, lateral, round] = sample.feet;
     const double front = std::fmax(ahead, 0.0);
     const double behind = std::fmin(ahead, 0.0);
-    forward.add({front, square(front), behind, square(behind), std::fabs(round), std::fabs(aside),
-                 aside * round},
+    forward.add({front, square(front), behind, square(behind), std::fabs(round), std::fabs(lateral),
+                 lateral * round},
                 sample.real.forward);
-    left.add({aside, square(aside), round, square(round), ahead * round}, sample.real.left);
-    turn.add({round, square(round), aside, square(aside), ahead * aside}, sample.real.turn);
+    left.add({lateral, square(lateral), round, square(round), ahead * round}, sample.real.left);
+    turn.add({round, square(round), lateral, square(lateral), ahead * lateral}, sample.real.turn);
   }
   const Eigen::VectorXd f = forward.solved();
   const Eigen::VectorXd l = left.solved();
@@ -119,11 +122,11 @@ WalkCalibration fitCalibration(const std::vector<SpeedSample>& samples) {
           f(4),         f(5),         f(6),         l(4),         t(4)};
 }
 
-actuator::WalkOdometry fitOdometry(const std::vector<WaySample>& samples) {
+actuator::WalkOdometry fitOdometry(const std::vector<PathSample>& samples) {
   Rows forward;
   Rows left;
   Rows turn;
-  for (const WaySample& sample : samples) {
+  for (const PathSample& sample : samples) {
     forward.add(weighted(sample.forward, sample.weight), sample.weight * sample.real.forward);
     left.add(weighted(sample.left, sample.weight), sample.weight * sample.real.left);
     turn.add(weighted(sample.turn, sample.weight), sample.weight * sample.real.turn);
@@ -149,16 +152,16 @@ actuator::FreeLoad fitFreeLoad(const std::vector<SpeedSample>& samples) {
   return {free(0), free(1), free(2), free(3)};
 }
 
-actuator::WalkSway fitSway(const std::vector<SwaySample>& samples,
-                           const actuator::WalkOdometry& odometry,
-                           const actuator::StrokeLimits& most) {
-  using actuator::SwaySide;
-  return {fitLean(samples, &SwaySample::tilt, most, SwaySide::same),
-          fitLean(samples, &SwaySample::roll, most, SwaySide::opposite),
-          fitLean(samples, &SwaySample::height, most, SwaySide::same),
-          fitSwing(samples, &Walked::forward, odometry, most, SwaySide::same),
-          fitSwing(samples, &Walked::left, odometry, most, SwaySide::opposite),
-          fitSwing(samples, &Walked::turn, odometry, most, SwaySide::opposite)};
+actuator::WalkOscillation fitOscillation(const std::vector<OscillationSample>& samples,
+                                         const actuator::WalkOdometry& odometry,
+                                         const actuator::StrokeLimits& max) {
+  using actuator::OscillationSymmetry;
+  return {fitLean(samples, &OscillationSample::tilt, max, OscillationSymmetry::same),
+          fitLean(samples, &OscillationSample::roll, max, OscillationSymmetry::opposite),
+          fitLean(samples, &OscillationSample::height, max, OscillationSymmetry::same),
+          fitSwing(samples, &Walked::forward, odometry, max, OscillationSymmetry::same),
+          fitSwing(samples, &Walked::left, odometry, max, OscillationSymmetry::opposite),
+          fitSwing(samples, &Walked::turn, odometry, max, OscillationSymmetry::opposite)};
 }
 
 }  // namespace kelpie::learn

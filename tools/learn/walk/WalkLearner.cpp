@@ -17,8 +17,8 @@ struct Knob {
   const char* name;
   double (*get)(const WalkSet&);
   void (*set)(WalkSet&, double);
-  double least;
-  double most;
+  double min;
+  double max;
 };
 
 #define KELPIE_KNOB(path) \
@@ -29,9 +29,9 @@ const std::array<Knob, 19> kKnobs{{
     {"tilt", [](const WalkSet& s) { return s.stance.bodyTilt.deg(); },
      [](WalkSet& s, double v) { s.stance.bodyTilt = Angle::deg(v); }, 4.0, 20.0},
     {"frontAhead", KELPIE_KNOB(stance.frontAhead), -2.0, 8.0},
-    {"frontAside", KELPIE_KNOB(stance.frontAside), 6.5, 11.0},
+    {"frontLateral", KELPIE_KNOB(stance.frontLateral), 6.5, 11.0},
     {"hindBehind", KELPIE_KNOB(stance.hindBehind), 8.0, 17.0},
-    {"hindAside", KELPIE_KNOB(stance.hindAside), 6.5, 11.0},
+    {"hindLateral", KELPIE_KNOB(stance.hindLateral), 6.5, 11.0},
     {"halfStep", KELPIE_KNOB(gait.halfStepTicks), 16.0, 28.0},
     {"frontDuty", KELPIE_KNOB(gait.frontDuty), 0.38, 0.66},
     {"hindDuty", KELPIE_KNOB(gait.hindDuty), 0.38, 0.66},
@@ -40,10 +40,10 @@ const std::array<Knob, 19> kKnobs{{
     {"hindLift", KELPIE_KNOB(gait.hindLift), 0.6, 5.0},
     {"hindStroke", KELPIE_KNOB(gait.hindStroke), 0.6, 1.5},
     {"lead", KELPIE_KNOB(gait.lead), 0.0, 1.0},
-    {"most.forward", KELPIE_KNOB(most.forward), 15.0, 90.0},
-    {"most.back", KELPIE_KNOB(most.back), 15.0, 80.0},
-    {"most.left", KELPIE_KNOB(most.left), 10.0, 60.0},
-    {"most.turn", KELPIE_KNOB(most.turn), 1.0, 8.0},
+    {"most.forward", KELPIE_KNOB(max.forward), 15.0, 90.0},
+    {"most.back", KELPIE_KNOB(max.back), 15.0, 80.0},
+    {"most.left", KELPIE_KNOB(max.left), 10.0, 60.0},
+    {"most.turn", KELPIE_KNOB(max.turn), 1.0, 8.0},
     {"acceleration", KELPIE_KNOB(gait.acceleration), 40.0, 250.0},
 }};
 
@@ -54,20 +54,20 @@ constexpr std::size_t kStanceKnobs = 6;  // the first
 std::size_t firstKnob(WalkPart part) { return part == WalkPart::gait ? kStanceKnobs : 0; }
 
 // Up to the aim each share counts whole, beyond it a twentieth.
-double worth(double share) { return share <= 1.0 ? share : 1.0 + (share - 1.0) / 20.0; }
+double utility(double share) { return share <= 1.0 ? share : 1.0 + (share - 1.0) / 20.0; }
 
 // A dribbling robot carries its front low, its front paws beside the ball (physics.md section 10);
 // a low one stands a fifth lower than the normal walk, which is harder to push over.
 struct Range {
   WalkKind kind;
   const char* name;
-  double least;
-  double most;
+  double min;
+  double max;
 };
 const std::array<Range, 6> kRanges{{{WalkKind::dribble, "height", 6.8, 8.6},
                                     {WalkKind::dribble, "tilt", 13.0, 24.0},
                                     {WalkKind::dribble, "frontAhead", 7.8, 10.0},
-                                    {WalkKind::dribble, "frontAside", 6.5, 7.4},
+                                    {WalkKind::dribble, "frontLateral", 6.5, 7.4},
                                     {WalkKind::dribble, "hindBehind", 10.0, 16.0},
                                     {WalkKind::low, "height", 7.0, 8.5}}};
 
@@ -76,7 +76,7 @@ constexpr double kLostCosts = 4.0;  // of a dribbling walk that keeps no ball
 // Of one direction over all models.
 struct Over {
   double mean = 0.0;
-  double least = 0.0;
+  double min = 0.0;
   double spread = 0.0;  // standard deviation over the mean
 };
 
@@ -86,7 +86,7 @@ Over over(const std::vector<double>& speeds) {
   for (const double speed : speeds) result.mean += speed / count;
   double squares = 0.0;
   for (const double speed : speeds) squares += maths::square(speed - result.mean) / count;
-  result.least = *std::min_element(speeds.begin(), speeds.end());
+  result.min = *std::min_element(speeds.begin(), speeds.end());
   result.spread = std::sqrt(squares) / std::max(1e-3, std::fabs(result.mean));
   return result;
 }
@@ -120,15 +120,15 @@ SearchSpace walkSpace(WalkKind kind, WalkPart part, const WalkSet& start) {
   for (std::size_t k = firstKnob(part); k < kKnobs.size(); ++k) {
     const Knob& knob = kKnobs[k];
     space.names.emplace_back(knob.name);
-    space.least.push_back(knob.least);
-    space.most.push_back(knob.most);
+    space.min.push_back(knob.min);
+    space.max.push_back(knob.max);
     space.start.push_back(knob.get(start));
   }
   for (const Range& range : kRanges)
     for (std::size_t i = 0; i < space.names.size(); ++i)
       if (range.kind == kind && space.names[i] == range.name) {
-        space.least[i] = range.least;
-        space.most[i] = range.most;
+        space.min[i] = range.min;
+        space.max[i] = range.max;
       }
   return space;
 }
@@ -165,7 +165,7 @@ std::vector<WalkTrial> tryOnAll(const WalkTrialPlan& plan, const WalkSet& set,
 double gainOf(const std::vector<WalkTrial>& trials, const WalkAim& aim) {
   double gain = 0.0;
   const auto count = static_cast<double>(trials.size());
-  for (std::size_t way = 0; way < kWalkWays; ++way) {
+  for (std::size_t way = 0; way < kWalkDirections; ++way) {
     std::vector<double> whole;
     std::vector<double> half;
     for (const WalkTrial& trial : trials) {
@@ -174,7 +174,7 @@ double gainOf(const std::vector<WalkTrial>& trials, const WalkAim& aim) {
     }
     const Over full = over(whole);
     const Over less = over(half);
-    gain += aim.weight[way] * worth(0.5 * (full.mean + full.least) / aim.speed[way]);
+    gain += aim.weight[way] * utility(0.5 * (full.mean + full.min) / aim.speed[way]);
     const double uneven = 2.0 * less.mean / std::max(1e-3, full.mean) - 1.0;
     // A walk that hardly goes yet shall first learn to go.
     const double spread = std::min(1.0, full.spread + less.spread);
@@ -182,7 +182,8 @@ double gainOf(const std::vector<WalkTrial>& trials, const WalkAim& aim) {
             (aim.spreadCosts * spread + aim.unevenCosts * std::min(1.0, std::fabs(uneven)));
   }
   for (const WalkTrial& trial : trials) {
-    const double costs = aim.bendCosts * std::min(trial.bend, 0.01) + aim.swayCosts * trial.sway;
+    const double costs =
+        aim.bendCosts * std::min(trial.bend, 0.01) + aim.oscillationCosts * trial.oscillation;
     gain -= (trial.fell ? 1.0 : 0.0) + (costs + kLostCosts * trial.lost) / count;
   }
   return gain;

@@ -14,14 +14,14 @@ enum class WalkPart : std::uint8_t { whole, gait };
 
 // What is wanted of a set: the speed in each direction that counts as 1, and how much it counts.
 struct WalkAim {
-  std::array<double, kWalkWays> speed{40.0, 32.0, 28.0, 3.4};  // cm/s, rad/s
-  std::array<double, kWalkWays> weight{1.0, 1.0, 1.0, 1.0};
+  std::array<double, kWalkDirections> speed{40.0, 32.0, 28.0, 3.4};  // cm/s, rad/s
+  std::array<double, kWalkDirections> weight{1.0, 1.0, 1.0, 1.0};
   // What makes a walk hard to predict: speeds that differ from model to model, half the stroke that
   // is not half the speed, straight walks that bend.
-  double spreadCosts = 4.0;  // a share of the speed
-  double unevenCosts = 0.5;  // so
-  double bendCosts = 400.0;  // a rad/cm: 3 deg a metre cost 0.2
-  double swayCosts = 3.0;    // a rad
+  double spreadCosts = 4.0;       // a share of the speed
+  double unevenCosts = 0.5;       // so
+  double bendCosts = 400.0;       // a rad/cm: 3 deg a metre cost 0.2
+  double oscillationCosts = 3.0;  // a rad
 };
 WalkAim aimOf(WalkKind kind);
 

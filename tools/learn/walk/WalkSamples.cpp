@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "actuator/odometry/Told.h"
+#include "actuator/odometry/OdometryTerms.h"
 #include "actuator/walk/WalkSpeed.h"
 #include "robot/core/Random.h"
 #include "tools/learn/Numbers.h"
@@ -27,8 +27,8 @@ constexpr double kAlone = 2.0;  // of a way in one direction: nothing says then 
 // Half of the speeds are asked in one direction alone, as behaviours ask, the others in all at
 // once.
 Velocity drawn(const actuator::WalkSet& set, int number, Random& random) {
-  const actuator::StrokeLimits& most = set.most;
-  const Velocity real = actuator::realSpeed({most.forward, most.left, most.turn}, set.calibration);
+  const actuator::StrokeLimits& max = set.max;
+  const Velocity real = actuator::realSpeed({max.forward, max.left, max.turn}, set.calibration);
   const double share = random.uniform(0.2, 1.0);
   const double side = random.chance(0.5) ? share : -share;
   const auto asked = [&set](const WalkRequest& request) { return wantedSpeed(request, set); };
@@ -40,9 +40,9 @@ Velocity drawn(const actuator::WalkSet& set, int number, Random& random) {
   std::array<double, 3> part{};
   for (double& p : part) p = random.gaussian(0.0, 1.0);
   const double size = std::sqrt(part[0] * part[0] + part[1] * part[1] + part[2] * part[2]);
-  const double forward = part[0] < 0.0 ? most.back : most.forward;
-  return {share * forward * part[0] / size, share * most.left * part[1] / size,
-          share * most.turn * part[2] / size};
+  const double forward = part[0] < 0.0 ? max.back : max.forward;
+  return {share * forward * part[0] / size, share * max.left * part[1] / size,
+          share * max.turn * part[2] / size};
 }
 
 // The way of an even walk bends: forward and left are those along the arc.
@@ -63,7 +63,7 @@ actuator::WalkSet unfitted(const actuator::WalkSet& set) {
   exact.calibration = {};
   exact.odometry = jointsAlone();
   exact.freeLoad = {};
-  exact.sway = {};
+  exact.oscillation = {};
   return exact;
 }
 
@@ -72,16 +72,16 @@ actuator::CommandedTick shownNow(const PhysicalWalker& walker) {
   return actuator::shown(kTicksPerMessage - 1, delay, walker.state().odometry);
 }
 
-Walked toldBy(const PhysicalWalker& walker) {
+Walked odometryOf(const PhysicalWalker& walker) {
   const Odometry& odometry = walker.output().odometry;
   return {odometry.forward, odometry.left, odometry.turn.rad()};
 }
 
-SwaySample swayNow(const PhysicalWalker& walker) {
+OscillationSample oscillationNow(const PhysicalWalker& walker) {
   const auto tick = shownNow(walker);
   const sim::BodyPlace place = walker.place();
   const Stance& legs = walker.output().stances.back();
-  SwaySample sample;
+  OscillationSample sample;
   sample.stride = tick.stride;
   sample.tilt = (place.stance.bodyTilt - legs.bodyTilt).rad();
   sample.roll = place.lean.roll.rad();
@@ -90,20 +90,20 @@ SwaySample swayNow(const PhysicalWalker& walker) {
 }
 
 SpeedSample sampleSpeed(const Velocity& feet, const Command& command, PhysicalWalker& walker,
-                        std::vector<SwaySample>& sways) {
+                        std::vector<OscillationSample>& oscillations) {
   Walked sum;
   double load = 0.0;
-  SwaySample last = swayNow(walker);
+  OscillationSample last = oscillationNow(walker);
   for (int m = 0; m < kMeasured; ++m) {
     const Walked moved = walkOn(walker, command);
     load += walker.output().status.feeling.load / kMeasured;
-    SwaySample sample = swayNow(walker);
+    OscillationSample sample = oscillationNow(walker);
     sample.before = last.stride;
     sample.moved = moved;
-    sample.joints = toldBy(walker);
+    sample.joints = odometryOf(walker);
     sample.seconds = kMessageSeconds;
     sum += moved;
-    sways.push_back(sample);
+    oscillations.push_back(sample);
     last = sample;
   }
   return {feet, evenSpeed(sum, kMeasured * kMessageSeconds), load};
@@ -120,22 +120,22 @@ Command walking(WalkKind kind, const Velocity& speed, PhysicalWalker& walker) {
 // What a player asks for: to stand, to turn, slowly or as fast as it can, to walk ahead, bending or
 // not, or anything.
 Velocity played(const actuator::WalkSet& set, Random& random) {
-  const auto& [forward, back, left, turn] = set.most;
-  const Velocity most = actuator::realSpeed({forward, left, turn}, set.calibration);
-  const double ahead = random.uniform(0.2, 1.0) * most.forward;
-  const double round = random.uniform(-1.0, 1.0) * most.turn;
-  const double all = std::copysign(2.0 * most.turn, round);  // as fast as it can
+  const auto& [forward, back, left, turn] = set.max;
+  const Velocity max = actuator::realSpeed({forward, left, turn}, set.calibration);
+  const double ahead = random.uniform(0.2, 1.0) * max.forward;
+  const double round = random.uniform(-1.0, 1.0) * max.turn;
+  const double all = std::copysign(2.0 * max.turn, round);  // as fast as it can
   switch (random.index(8)) {
     case 0: return {0.0, 0.0, random.chance(0.5) ? round : 0.0};
     case 1: return {0.0, 0.0, round};
     case 2: return {0.0, 0.0, all};
     case 3: return {ahead, 0.0, 0.0};
     case 4: return {ahead, 0.0, 0.5 * round};
-    case 5: return {0.0, random.uniform(-1.0, 1.0) * most.left, 0.5 * round};
+    case 5: return {0.0, random.uniform(-1.0, 1.0) * max.left, 0.5 * round};
     default: break;
   }
-  return {random.uniform(-most.forward * back / forward, most.forward),
-          random.uniform(-most.left, most.left), round};
+  return {random.uniform(-max.forward * back / forward, max.forward),
+          random.uniform(-max.left, max.left), round};
 }
 
 bool alone(const WalkRequest& r) {
@@ -147,13 +147,13 @@ void addTo(std::vector<double>& mean, const std::vector<double>& numbers) {
   for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += numbers[i] / kWay;
 }
 
-WaySample sampleWay(const Command& command, PhysicalWalker& walker) {
-  WaySample sample;
+PathSample sampleWay(const Command& command, PhysicalWalker& walker) {
+  PathSample sample;
   Walked sum;
   for (int m = 0; m < kWay; ++m) {
     sum += walkOn(walker, command);
-    const Walked told = toldBy(walker);
-    const Velocity joints = evenSpeed(told, kMessageSeconds);
+    const Walked reported = odometryOf(walker);
+    const Velocity joints = evenSpeed(reported, kMessageSeconds);
     const auto tick = shownNow(walker);
     const Velocity& feet = tick.stride.feet;
     const actuator::Felt& felt = tick.felt;
@@ -169,7 +169,8 @@ WaySample sampleWay(const Command& command, PhysicalWalker& walker) {
 
 void append(const WalkSamples& more, WalkSamples& all) {
   all.speeds.insert(all.speeds.end(), more.speeds.begin(), more.speeds.end());
-  all.sways.insert(all.sways.end(), more.sways.begin(), more.sways.end());
+  all.oscillations.insert(all.oscillations.end(), more.oscillations.begin(),
+                          more.oscillations.end());
 }
 
 WalkSamples sampleWalk(WalkKind kind, const actuator::WalkSet& set, const sim::PhysicsParams& model,
@@ -185,7 +186,7 @@ WalkSamples sampleWalk(WalkKind kind, const actuator::WalkSet& set, const sim::P
     const Command command = walking(kind, {feet.forward, feet.left, feet.turn}, walker);
     for (int m = 0; m < kStart; ++m) walker.step(command);
     WalkSamples more;
-    more.speeds.push_back(sampleSpeed(feet, command, walker, more.sways));
+    more.speeds.push_back(sampleSpeed(feet, command, walker, more.oscillations));
     if (walker.fallen()) {
       walker = PhysicalWalker(model, params, seed);
       continue;
@@ -195,15 +196,16 @@ WalkSamples sampleWalk(WalkKind kind, const actuator::WalkSet& set, const sim::P
   return samples;
 }
 
-std::vector<WaySample> sampleWays(WalkKind kind, const actuator::WalkSet& set,
-                                  const sim::PhysicsParams& model, int count, std::uint64_t seed) {
+std::vector<PathSample> samplePaths(WalkKind kind, const actuator::WalkSet& set,
+                                    const sim::PhysicsParams& model, int count,
+                                    std::uint64_t seed) {
   actuator::ActuatorParams params;
   actuator::WalkSet& tried = actuator::walkSet(params.walks, kind);
   tried = unfitted(set);
   tried.calibration = set.calibration;
   tried.freeLoad = set.freeLoad;
   Random random(seed);
-  std::vector<WaySample> samples;
+  std::vector<PathSample> samples;
   PhysicalWalker walker(model, params, seed);
   if (kind == WalkKind::weak) spare(walker);
   for (int i = 0; i < count; ++i) {

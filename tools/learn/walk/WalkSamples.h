@@ -17,8 +17,8 @@ struct SpeedSample {
 };
 
 // Half a second of a walk whose commands change: the numbers of AlongTerms and AcrossTerms that its
-// way is told by (Told.h), on the mean, and the way.
-struct WaySample {
+// way is told by (OdometryTerms.h), on the mean, and the way.
+struct PathSample {
   std::vector<double> forward;
   std::vector<double> left;
   std::vector<double> turn;
@@ -28,7 +28,7 @@ struct WaySample {
 
 // An instant of a walk: how the body stood then beyond what its legs said, and where it went since
 // the instant before.
-struct SwaySample {
+struct OscillationSample {
   actuator::Stride stride;
   double tilt = 0.0;    // rad
   double roll = 0.0;    // rad
@@ -41,7 +41,7 @@ struct SwaySample {
 
 struct WalkSamples {
   std::vector<SpeedSample> speeds;
-  std::vector<SwaySample> sways;
+  std::vector<OscillationSample> oscillations;
 };
 
 // `count` speeds within the set's limits on one model, none of them twice, half of them in one
@@ -54,7 +54,7 @@ void append(const WalkSamples& more, WalkSamples& all);
 
 // `count` commands as a player gives them, each for half a second to two and a half, with the
 // calibration and the free load of the set.
-std::vector<WaySample> sampleWays(WalkKind kind, const actuator::WalkSet& set,
-                                  const sim::PhysicsParams& model, int count, std::uint64_t seed);
+std::vector<PathSample> samplePaths(WalkKind kind, const actuator::WalkSet& set,
+                                    const sim::PhysicsParams& model, int count, std::uint64_t seed);
 
 }  // namespace kelpie::learn

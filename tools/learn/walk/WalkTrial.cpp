@@ -30,7 +30,7 @@ struct Spread {
   }
 };
 
-struct Sway {
+struct BodyOscillation {
   Spread roll;
   Spread tilt;
 
@@ -47,7 +47,7 @@ Command baseCommand(WalkKind kind) {
 
 // What is walked after the speed has become even.
 Walked straightOn(const WalkTrialPlan& plan, const WalkRequest& request, PhysicalWalker& walker,
-                  Sway& sway) {
+                  BodyOscillation& oscillation) {
   Command command = baseCommand(request.kind);
   command.walk = request;
   const int start = messagesOf(plan.startSeconds);
@@ -56,7 +56,7 @@ Walked straightOn(const WalkTrialPlan& plan, const WalkRequest& request, Physica
     const Walked step = walkOn(walker, command);
     if (m < start) continue;
     sum += step;
-    sway.add(walker.place());
+    oscillation.add(walker.place());
   }
   return sum;
 }
@@ -100,12 +100,12 @@ bool fallsAtRandom(const WalkTrialPlan& plan, PhysicalWalker& walker, std::uint6
 }  // namespace
 
 WalkRequest shareOf(WalkWay way, double share, const actuator::WalkSet& set, WalkKind kind) {
-  const actuator::StrokeLimits& most = set.most;
+  const actuator::StrokeLimits& max = set.max;
   actuator::Velocity feet;
-  if (way == WalkWay::forward) feet.forward = share * most.forward;
-  if (way == WalkWay::back) feet.forward = -share * most.back;
-  if (way == WalkWay::left) feet.left = share * most.left;
-  if (way == WalkWay::turn) feet.turn = share * most.turn;
+  if (way == WalkWay::forward) feet.forward = share * max.forward;
+  if (way == WalkWay::back) feet.forward = -share * max.back;
+  if (way == WalkWay::left) feet.left = share * max.left;
+  if (way == WalkWay::turn) feet.turn = share * max.turn;
   const actuator::Velocity real = actuator::realSpeed(feet, set.calibration);
   return {real.forward, real.left, real.turn, 0.0, kind};
 }
@@ -136,19 +136,19 @@ WalkTrial tryWalk(const WalkTrialPlan& plan, const sim::PhysicsParams& model,
   const actuator::WalkSet& set = actuator::walkSet(params.walks, plan.kind);
   WalkTrial trial;
   const bool dribbles = plan.kind == WalkKind::dribble;
-  Sway sway;
+  BodyOscillation oscillation;
   for (const double share : {1.0, 0.5})
-    for (std::size_t i = 0; i < kWalkWays && !trial.fell; ++i) {
+    for (std::size_t i = 0; i < kWalkDirections && !trial.fell; ++i) {
       const auto way = static_cast<WalkWay>(i);
       if (dribbles && !holdsBall(walker)) giveBall({0.0, kHeldAhead}, walker);
-      const Walked sum = straightOn(plan, shareOf(way, share, set, plan.kind), walker, sway);
+      const Walked sum = straightOn(plan, shareOf(way, share, set, plan.kind), walker, oscillation);
       trial.fell = walker.fallen();
       (share == 1.0 ? trial.speed : trial.half)[i] = along(way, sum) / plan.measuredSeconds;
-      if (dribbles && !holdsBall(walker)) trial.lost += 0.5 / kWalkWays;
+      if (dribbles && !holdsBall(walker)) trial.lost += 0.5 / kWalkDirections;
       const bool straight = way == WalkWay::forward || way == WalkWay::back;
       if (straight) trial.bend = std::fmax(trial.bend, bendOf(sum));
     }
-  trial.sway = sway.rms();
+  trial.oscillation = oscillation.rms();
   if (!trial.fell) trial.fell = fallsAtRandom(plan, walker, seed);
   return trial;
 }

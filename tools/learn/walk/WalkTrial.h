@@ -12,7 +12,7 @@ namespace kelpie::learn {
 
 // The directions that a set is judged by, in this order everywhere.
 enum class WalkWay : std::uint8_t { forward, back, left, turn };
-constexpr std::size_t kWalkWays = 4;
+constexpr std::size_t kWalkDirections = 4;
 
 // Feet that go that share of what the set lets them.
 WalkRequest shareOf(WalkWay way, double share, const actuator::WalkSet& set, WalkKind kind);
@@ -38,10 +38,11 @@ struct WalkTrialPlan {
 };
 
 struct WalkTrial {
-  std::array<double, kWalkWays> speed{};  // cm/s, and rad/s, of feet that go as far as they may
-  std::array<double, kWalkWays> half{};   // of feet at half of that
-  double bend = 0.0;                      // rad a cm, largest turn of a straight walk
-  double sway = 0.0;                      // rad, rms of roll and of tilt about its mean
+  std::array<double, kWalkDirections>
+      speed{};  // cm/s, and rad/s, of feet that go as far as they may
+  std::array<double, kWalkDirections> half{};  // of feet at half of that
+  double bend = 0.0;                           // rad a cm, largest turn of a straight walk
+  double oscillation = 0.0;                    // rad, rms of roll and of tilt about its mean
   bool fell = false;
   double lost = 0.0;  // share of the straight walks and turns that a held ball did not stand
 };

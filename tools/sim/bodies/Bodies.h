@@ -36,10 +36,10 @@ struct BodyFeeling {
 };
 
 // The nearest place that robots may walk to: 60 cm beyond the carpet the room ends.
-constexpr double kRoom = 60.0;
+constexpr double kCapacity = 60.0;
 inline Point2<Field> nearestWalkable(const body::FieldDescription& field, Point2<Field> p) {
-  const double side = field.sideFringe + kRoom;
-  const double end = field.endFringe + kRoom;
+  const double side = field.sideFringe + kCapacity;
+  const double end = field.endFringe + kCapacity;
   return {maths::clamp(p.x, -side, field.width + side),
           maths::clamp(p.y, -end, field.length + end)};
 }

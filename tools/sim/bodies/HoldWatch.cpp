@@ -17,7 +17,7 @@ void goOn(double seconds, const Pose2& robot, Hold& hold) {
 
 bool inHold(const Pose2& robot, Point2<Field> ball) {
   const Point2<Robot> place = robotFromField(robot, ball);
-  return place.y > kHeldNearest && place.y < kHeldFurthest && std::fabs(place.x) < kHeldAside;
+  return place.y > kHeldNearest && place.y < kHeldFurthest && std::fabs(place.x) < kHeldLateral;
 }
 
 void HoldWatch::see(double seconds, const Pose2& robot, Point2<Field> ball) {

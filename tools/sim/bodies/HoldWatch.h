@@ -17,7 +17,7 @@ namespace kelpie::sim {
 // (docs/physical-body.md); the rest is for a ball that bounces in it.
 constexpr double kHeldNearest = 3.0;    // cm
 constexpr double kHeldFurthest = 11.0;  // cm
-constexpr double kHeldAside = 4.0;      // cm
+constexpr double kHeldLateral = 4.0;    // cm
 bool inHold(const Pose2& robot, Point2<Field> ball);
 
 struct Hold {

@@ -13,8 +13,8 @@ void Resistance::feel(Point2<Field> walked, Point2<Field> pushed) {
 }
 
 void Resistance::newStep() {
-  constexpr double kMost = 0.95;  // a stalled joint still gives a little
-  grip_ = maths::clamp(random_.gaussian(params_.grip, params_.gripSd), 0.0, kMost);
+  constexpr double kMax = 0.95;  // a stalled joint still gives a little
+  grip_ = maths::clamp(random_.gaussian(params_.grip, params_.gripSd), 0.0, kMax);
 }
 
 }  // namespace kelpie::sim

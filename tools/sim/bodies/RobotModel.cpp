@@ -49,10 +49,10 @@ void RobotModel::moveJoints() {
   for (std::size_t j = 0; j < kJointCount; ++j) {
     if (!queue_.held(j)) continue;
     const bool head = j < index(Joint::leftFrontRotator);
-    const double most = (head ? params_.headRate : params_.legRate) * kTickSeconds;
+    const double max = (head ? params_.headRate : params_.legRate) * kTickSeconds;
     const double now = motors_.angle[j].rad();
     const double step = slowed(j) * (target().angle[j].rad() - now);
-    motors_.angle[j] = Angle::rad(now + maths::clamp(step, -most, most));
+    motors_.angle[j] = Angle::rad(now + maths::clamp(step, -max, max));
   }
   place_.joints = neck_.step(motors_);
 }
@@ -71,7 +71,7 @@ void RobotModel::drawSlip(const std::array<bool, kLegCount>& standing) {
   for (std::size_t i = 0; i < kLegCount; ++i) landed = landed || (standing[i] && !onGround_[i]);
   if (!landed) return;
   slipForward_ = random_.gaussian(params_.slipMean, params_.slipSd);
-  slipAside_ = random_.gaussian(params_.slipMean, params_.slipSd);
+  lateralSlip_ = random_.gaussian(params_.slipMean, params_.slipSd);
   slipTurn_ = random_.gaussian(params_.slipMean, params_.slipSd);
   drift_ = random_.gaussian(0.0, params_.driftSd);
   resistance_.newStep();
@@ -115,7 +115,7 @@ void RobotModel::moveBody() {
   const std::array<bool, kLegCount> standing = standingLegs();
   drawSlip(standing);
   const PlanarMotion motion = given(onCarpet(rolled()));
-  const double x = motion.x * (1.0 - slipAside_);
+  const double x = motion.x * (1.0 - lateralSlip_);
   const double y = motion.y * (1.0 - slipForward_);
   const double turn = motion.turn * (1.0 - slipTurn_) + drift_ * maths::hypot(x, y);
   const Point2<Field> was = place_.pose.position;

@@ -19,8 +19,8 @@
 #include "tools/sim/bodies/Bodies.h"
 #include "tools/sim/bodies/BodyShape.h"
 #include "tools/sim/bodies/CommandQueue.h"
+#include "tools/sim/bodies/Randomisation.h"
 #include "tools/sim/bodies/Resistance.h"
-#include "tools/sim/bodies/Unlike.h"
 
 namespace kelpie::sim {
 
@@ -166,7 +166,7 @@ class RobotModel {
   Point2<Field> pushed_;  // and by others since
   std::array<double, kJointCount> dutyNoise_{};
   double slipForward_ = 0.0;
-  double slipAside_ = 0.0;
+  double lateralSlip_ = 0.0;
   double slipTurn_ = 0.0;
   double drift_ = 0.0;
   double lifted_ = 0.0;  // cm

@@ -66,13 +66,13 @@ struct Columns {
 // between two columns is 0.9 deg off the even way, 3 px; one that hardly turns cannot be.
 double unevenness(const ColumnCameras& cameras) {
   constexpr std::size_t kApart = 16;
-  constexpr double kMost = 8.0;
+  constexpr double kMax = 8.0;
   double turned = 0.0;
   for (std::size_t x = kApart; x < kImageWidth; x += kApart) {
     const FieldPoint3 d = cameras[x].forward - cameras[0].forward;
     turned = std::max({turned, std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
   }
-  return std::min(kMost, 1.5 + cameras[0].lens.focal * turned);
+  return std::min(kMax, 1.5 + cameras[0].lens.focal * turned);
 }
 
 // The columns that may show a quad: those of its corners as the three cameras see them, and some
@@ -161,7 +161,7 @@ CameraParams idealCamera() {
   params.artefacts.blur = params.artefacts.shift = false;
   params.texture = params.light = false;
   params.splits = 3;
-  params.mostSlope = 0.0;
+  params.maxSlope = 0.0;
   return params;
 }
 
@@ -383,7 +383,7 @@ void Camera::mix(const Scene& scene, const FieldCamera& camera, Stretch between,
   const double width = between.to - between.from;
   Cut& left = *between.left;
   Cut& right = *between.right;
-  if (splits == 0 || alike(left.shown, right.shown, params_.mostSlope)) {
+  if (splits == 0 || alike(left.shown, right.shown, params_.maxSlope)) {
     paint(scene, left);
     paint(scene, right);
     if (width == 1.0) return average(left.painted, right.painted);
@@ -415,10 +415,10 @@ void Camera::addTexture(const Slice& middle) {
     fine[row] = texture[fineAt[row]];
     coarse[row] = texture[coarseAt[row]];
   }
-  const auto most = static_cast<float>(params_.textureAmount);
+  const auto max = static_cast<float>(params_.textureAmount);
   for (std::size_t row = first; row < kRows; ++row) {
     const float depth = ground.depth[row];
-    const float amount = depth > 0.0F ? most * column_.carpet[row] : 0.0F;
+    const float amount = depth > 0.0F ? max * column_.carpet[row] : 0.0F;
     const float fade = std::min(1.0F, 60.0F / std::max(depth, 1.0F));
     column_.y[row] +=
         amount * (0.7F * fade * fine[row] + 0.3F * std::max(fade, 0.3F) * coarse[row]);

@@ -17,9 +17,9 @@ namespace kelpie::sim {
 
 struct CameraParams {
   ArtefactParams artefacts;
-  int splits = 1;          // how often a column is halved at most, and
-  double mostSlope = 2.0;  // rows that an edge may run from cut to cut without; 0: always halved
-  bool texture = true;     // of the carpet
+  int splits = 1;         // how often a column is halved at most, and
+  double maxSlope = 2.0;  // rows that an edge may run from cut to cut without; 0: always halved
+  bool texture = true;    // of the carpet
   double textureAmount = 5.0;  // grey levels, sd about a third of it
   bool light = true;           // the scene's second light, and stripes of the carpet
 
@@ -27,7 +27,7 @@ struct CameraParams {
   static constexpr auto fields() {
     return fieldList(field("artefacts", &CameraParams::artefacts),
                      field("splits", &CameraParams::splits, "", 0, 4),
-                     field("mostSlope", &CameraParams::mostSlope, "rows", 0, 160),
+                     field("maxSlope", &CameraParams::maxSlope, "rows", 0, 160),
                      field("texture", &CameraParams::texture),
                      field("textureAmount", &CameraParams::textureAmount, "levels", 0, 30),
                      field("light", &CameraParams::light));

@@ -171,7 +171,7 @@ Scene fieldScene(const body::FieldDescription& nominal, std::uint64_t crowdSeed,
     }
   }
   addBorder(scene, field);
-  addRoom(scene, field, venue.room);
+  addSurroundings(scene, field, venue.room);
   if (crowdSeed != 0) addCrowd(scene, crowdSeed);
   return scene;
 }

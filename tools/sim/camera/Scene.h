@@ -183,8 +183,9 @@ struct Scene {
 Scene fieldScene(const body::FieldDescription& field, std::uint64_t crowdSeed,
                  const Venue& venue = {});
 
-// Plain walls, or those of a seeded room with boards and tables (tools/sim/camera/Room.cpp).
-void addRoom(Scene& scene, const body::FieldDescription& field, std::uint64_t seed);
+// Plain walls, or those of a seeded room with boards and tables
+// (tools/sim/camera/Surroundings.cpp).
+void addSurroundings(Scene& scene, const body::FieldDescription& field, std::uint64_t seed);
 // The second light at a place: -1 at the far side of the field, 1 at its own.
 double lightAt(const Scene& scene, Point2<Field> place);
 

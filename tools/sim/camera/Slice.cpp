@@ -220,8 +220,8 @@ std::optional<Span> Slice::band(const Cylinder& shape, std::size_t index) const 
   if (!a || !b) return std::nullopt;
   std::optional<Span> span = stretch(seen(*a), seen(*b));
   if (!span) return span;
-  const double aside = (atGround + perCm * 0.5 * (low + high)) / shape.radius;
-  const double lit = 1.04 - 0.12 * aside * aside + 0.05 * aside;
+  const double lateral = (atGround + perCm * 0.5 * (low + high)) / shape.radius;
+  const double lit = 1.04 - 0.12 * lateral * lateral + 0.05 * lateral;
   span->litTop = span->litBottom = lit;
   span->colour = shape.band[index];
   return span;
@@ -256,7 +256,7 @@ Slice::GroundRows Slice::groundRows() const {
   };
   const FieldCamera& camera = camera_;
   const float ahead = at(camera.forward.x, camera.right.x);
-  const float aside = at(camera.forward.y, camera.right.y);
+  const float lateral = at(camera.forward.y, camera.right.y);
   const float up = at(camera.forward.z, camera.right.z);
   const FieldPoint3& down = camera.down;
   const auto downX = static_cast<float>(down.x), downY = static_cast<float>(down.y);
@@ -272,7 +272,7 @@ Slice::GroundRows Slice::groundRows() const {
     const float depth = fall > 0.0F ? below : 0.0F;
     rows.depth[row] = depth;
     rows.x[row] = x + depth * (ahead + v * downX);
-    rows.y[row] = y + depth * (aside + v * downY);
+    rows.y[row] = y + depth * (lateral + v * downY);
   }
   return rows;
 }

@@ -16,7 +16,7 @@ using actuator::MotionData;
 // cm.
 constexpr double kNearest = 3.0;
 constexpr double kFurthest = 10.8;
-constexpr double kAside = 4.5;
+constexpr double kLateral = 4.5;
 constexpr double kHeldAhead = 7.9;
 constexpr double kDrawnIn = 0.1;  // share of the way there, a tick
 constexpr std::size_t kFirstLegJoint = index(Joint::leftFrontRotator);
@@ -34,7 +34,7 @@ bool headDown(const JointAngles& target) {
 }
 
 bool canHold(Point2<Robot> ball) {
-  return ball.y > kNearest && ball.y < kFurthest && std::fabs(ball.x) < kAside;
+  return ball.y > kNearest && ball.y < kFurthest && std::fabs(ball.x) < kLateral;
 }
 
 // A hard forward or a wedge at a ball that lies free does what its file says, at the place where it
@@ -80,10 +80,10 @@ std::vector<KickFrame> kickFrames() {
 
 // The greatest difference of a leg joint, deg.
 double legsApart(const JointAngles& a, const JointAngles& b) {
-  double most = 0.0;
+  double max = 0.0;
   for (std::size_t j = kFirstLegJoint; j < kFirstLegJoint + actuator::kLegJoints; ++j)
-    most = std::fmax(most, std::fabs((a.angle[j] - b.angle[j]).deg()));
-  return most;
+    max = std::fmax(max, std::fabs((a.angle[j] - b.angle[j]).deg()));
+  return max;
 }
 
 const KickFrame* played(const JointAngles& target) {

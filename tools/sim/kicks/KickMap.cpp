@@ -27,7 +27,7 @@ MotionKind mirrored(MotionKind motion) { return actuator::listed(motion).mirror;
 
 KickCell cellAt(const KickGrid& grid, Point2<Robot> place) {
   const bool swapped = isItsOwnMirror(grid.motion) && place.x < 0.0;
-  const auto column = between(grid.aside, swapped ? -place.x : place.x);
+  const auto column = between(grid.lateral, swapped ? -place.x : place.x);
   const auto row = between(grid.ahead, place.y);
   KickCell mean;
   if (!column || !row) return mean;

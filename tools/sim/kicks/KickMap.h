@@ -37,16 +37,16 @@ struct KickCell {
 
 // Places that are alike: a ball anywhere in them goes, about the same way.
 struct KickWindow {
-  Point2<Robot> best;   // the place whose neighbours do best, too
-  Point2<Robot> least;  // corners
-  Point2<Robot> most;
+  Point2<Robot> best;  // the place whose neighbours do best, too
+  Point2<Robot> min;   // corners
+  Point2<Robot> max;
   KickCell whole;  // over all its places
 };
 
 struct KickGrid {
   MotionKind motion = MotionKind::none;
   KickFrom from = KickFrom::standing;  // from the hold: one cell, no places
-  std::vector<double> aside;           // cm to the right, rising
+  std::vector<double> lateral;         // cm to the right, rising
   std::vector<double> ahead;           // cm, rising
   std::vector<KickCell> cells;         // [ahead][aside]
   KickWindow window;
@@ -54,7 +54,7 @@ struct KickGrid {
   actuator::MotionWay way;  // of the robot, until it stands again
 
   const KickCell& cell(std::size_t row, std::size_t column) const {
-    return cells[row * aside.size() + column];
+    return cells[row * lateral.size() + column];
   }
 };
 using KickMap = std::vector<KickGrid>;

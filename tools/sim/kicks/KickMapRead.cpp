@@ -133,10 +133,10 @@ MotionKind motionOf(const std::string& key) {
 
 Status readPlaces(Value& kick, KickGrid& grid) {
   grid.ahead = numbersOf(kick.of["ahead"]);
-  grid.aside = numbersOf(kick.of["aside"]);
+  grid.lateral = numbersOf(kick.of["aside"]);
   if (kick.of["window"].items.size() == 2) {
-    grid.window.least = placeOf(kick.of["window"].items[0]);
-    grid.window.most = placeOf(kick.of["window"].items[1]);
+    grid.window.min = placeOf(kick.of["window"].items[0]);
+    grid.window.max = placeOf(kick.of["window"].items[1]);
   }
   grid.window.best = placeOf(kick.of["best"]);
   for (const Value& row : kick.of["places"].items)
@@ -144,7 +144,7 @@ Status readPlaces(Value& kick, KickGrid& grid) {
       if (!isOutcome(outcome)) return Error{"kick map: an outcome that is none"};
       grid.cells.push_back(cellOf(outcome));
     }
-  if (grid.cells.empty() || grid.cells.size() != grid.ahead.size() * grid.aside.size())
+  if (grid.cells.empty() || grid.cells.size() != grid.ahead.size() * grid.lateral.size())
     return Error{"kick map: not as many outcomes as places"};
   return Done{};
 }
@@ -163,7 +163,7 @@ Expected<KickGrid> gridOf(const std::string& key, Value& kick, KickFrom from) {
   grid.way.forward = way[1];
   grid.way.turn = Angle::deg(way[2]);
   if (from == KickFrom::hold) {
-    grid.ahead = grid.aside = {0.0};
+    grid.ahead = grid.lateral = {0.0};
     grid.cells = {grid.window.whole};
     return grid;
   }

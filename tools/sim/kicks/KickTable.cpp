@@ -13,8 +13,8 @@ struct Nearest {
   double at;
   double outside;
 };
-Nearest nearest(const std::vector<double>& places, double least, double at) {
-  const double inside = maths::clamp(at, least, places.back());
+Nearest nearest(const std::vector<double>& places, double min, double at) {
+  const double inside = maths::clamp(at, min, places.back());
   return {inside, std::fabs(at - inside) / (places[1] - places[0])};
 }
 
@@ -28,7 +28,7 @@ double without(double variance, double spread) {
 // place is known that part is taken away again.
 KickCell ofKnownPlace(const KickGrid& grid, Point2<Robot> at) {
   constexpr double kEvenly = 1.0 / 12.0;  // variance of what is evenly spread over a width of 1
-  const Point2<Robot> right{0.5 * (grid.aside[1] - grid.aside[0]), 0.0};
+  const Point2<Robot> right{0.5 * (grid.lateral[1] - grid.lateral[0]), 0.0};
   const Point2<Robot> ahead{0.0, 0.5 * (grid.ahead[1] - grid.ahead[0])};
   double directions = 0.0;
   double distances = 0.0;
@@ -46,11 +46,11 @@ KickCell ofKnownPlace(const KickGrid& grid, Point2<Robot> at) {
 }
 
 KickCell fadingAt(const KickGrid& grid, Point2<Robot> ball) {
-  const double leftmost = isItsOwnMirror(grid.motion) ? -grid.aside.back() : grid.aside.front();
-  const Nearest aside = nearest(grid.aside, leftmost, ball.x);
+  const double leftmost = isItsOwnMirror(grid.motion) ? -grid.lateral.back() : grid.lateral.front();
+  const Nearest lateral = nearest(grid.lateral, leftmost, ball.x);
   const Nearest ahead = nearest(grid.ahead, grid.ahead.front(), ball.y);
-  KickCell cell = ofKnownPlace(grid, {aside.at, ahead.at});
-  cell.went *= std::fmax(0.0, 1.0 - maths::hypot(aside.outside, ahead.outside));
+  KickCell cell = ofKnownPlace(grid, {lateral.at, ahead.at});
+  cell.went *= std::fmax(0.0, 1.0 - maths::hypot(lateral.outside, ahead.outside));
   return cell;
 }
 

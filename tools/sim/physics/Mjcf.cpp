@@ -17,9 +17,9 @@ std::string thing(const std::string& shape) {
 }
 
 // Robots do not leave the room.
-std::string roomXml(const body::FieldDescription& field) {
-  const double side = kCm * (field.sideFringe + kRoom);
-  const double end = kCm * (field.endFringe + kRoom);
+std::string slotsXml(const body::FieldDescription& field) {
+  const double side = kCm * (field.sideFringe + kCapacity);
+  const double end = kCm * (field.endFringe + kCapacity);
   const double width = kCm * field.width;
   const double length = kCm * field.length;
   const auto plane = [](double x, double y, const char* normal) {
@@ -35,7 +35,7 @@ std::string fieldXml(const body::FieldDescription& field, const ContactParams& c
       "<geom name=\"carpet\" type=\"plane\" size=\"9 9 1\" contype=\"{}\" conaffinity=\"{}\" "
       "friction=\"{} 0.005 0.0001\"/>\n",
       kThingsBit, kAllBits & ~kThingsBit, contact.carpet);
-  return out + thingSlotsXml(field) + roomXml(field);
+  return out + thingSlotsXml(field) + slotsXml(field);
 }
 
 std::string ballXml(const PhysicalBallParams& ball) {

@@ -11,7 +11,7 @@
 #include "tools/sim/bodies/Backlash.h"
 #include "tools/sim/bodies/Bodies.h"
 #include "tools/sim/bodies/CommandQueue.h"
-#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/bodies/Randomisation.h"
 #include "tools/sim/physics/Physics.h"
 
 namespace kelpie::sim {

@@ -24,11 +24,10 @@ double normalForce(const Engine& engine, int contact) {
 
 // The least height of robot's geoms over the carpet, by their bounding spheres but for paws.
 double lowest(const Engine& engine, const std::array<int, kLegCount>& paws) {
-  double least = 1.0;
+  double min = 1.0;
   for (const int paw : paws)
-    least =
-        std::fmin(least, engine.data().geom_xpos[3 * paw + 2] - engine.model().geom_size[3 * paw]);
-  return least;
+    min = std::fmin(min, engine.data().geom_xpos[3 * paw + 2] - engine.model().geom_size[3 * paw]);
+  return min;
 }
 
 }  // namespace

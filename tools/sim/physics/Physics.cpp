@@ -15,7 +15,7 @@ constexpr double kBallStep = 0.001;  // s, while the ball may touch a robot
 constexpr double kReach = 0.13;   // m from a part's centre to the ball's within which it may touch
 constexpr double kLying = 0.003;  // m over the carpet below which the ball rolls on it
 constexpr double kAtRest = 1e-3;  // m/s below which rolling resistance fades
-constexpr double kLeastPush = 1e-5;  // N s: 0.3 mm/s of a ball of 36 g
+constexpr double kMinImpulse = 1e-5;  // N s: 0.3 mm/s of a ball of 36 g
 
 }  // namespace
 
@@ -110,9 +110,9 @@ void Physics::feelPushes(double seconds) {
 }
 
 std::optional<std::size_t> Physics::ballToucher() const {
-  const auto most = std::max_element(pushes_.begin(), pushes_.end());
-  if (most == pushes_.end() || *most < kLeastPush) return std::nullopt;
-  return static_cast<std::size_t>(most - pushes_.begin());
+  const auto max = std::max_element(pushes_.begin(), pushes_.end());
+  if (max == pushes_.end() || *max < kMinImpulse) return std::nullopt;
+  return static_cast<std::size_t>(max - pushes_.begin());
 }
 
 Status Physics::tick() {

@@ -8,7 +8,7 @@
 
 namespace kelpie::sim {
 
-constexpr double kMostPlay = 0.015;  // rad, in a leg's gears [chosen]
+constexpr double kMaxPlay = 0.015;  // rad, in a leg's gears [chosen]
 
 // That model with friction, armature, contact, servo, mass and the play of the legs' gears drawn
 // about its own.
@@ -27,7 +27,7 @@ inline PhysicsParams varied(PhysicsParams params, std::uint64_t seed) {
   for (double* mass : {&params.mass.trunk, &params.mass.neck, &params.mass.head, &params.mass.jaw,
                        &params.mass.upperLeg, &params.mass.lowerLeg})
     *mass *= weight;
-  params.servo.legPlay += random.uniform(0.0, kMostPlay);
+  params.servo.legPlay += random.uniform(0.0, kMaxPlay);
   return params;
 }
 

@@ -9,10 +9,10 @@
 namespace kelpie::sim {
 namespace {
 
-constexpr double kBallStays = 1.0;  // cm that the ball may move before the whistle
-constexpr double kStray = 30.0;     // cm from where a robot waits
-constexpr double kGone = 5.0;       // s without a packet: nobody is there any more
-constexpr double kToldLate = 10.0;  // s after a ball was put back in which its out may be told
+constexpr double kBallStays = 1.0;    // cm that the ball may move before the whistle
+constexpr double kStray = 30.0;       // cm from where a robot waits
+constexpr double kGone = 5.0;         // s without a packet: nobody is there any more
+constexpr double kLateReport = 10.0;  // s after a ball was put back in which its out may be told
 
 const char* wordsFor(net::ControlPenalty penalty) {
   constexpr std::array<const char*, 11> kWords = {"",
@@ -72,14 +72,14 @@ Verdict ControlledMatch::step(const MatchScene& scene, Score& score) {
   if (!started_) record(EventKind::start, control_.kickOff, "a game controller rules");
   started_ = true;
   if (finished_) return verdict_;
-  for (std::size_t i = 0; i < scene_.players.size(); ++i) scene_.players[i].playing = !aside_[i];
+  for (std::size_t i = 0; i < scene_.players.size(); ++i) scene_.players[i].playing = !offField_[i];
   const bool heard = news_.has_value();
   if (heard) follow(score);
   if (control_.state == PlayState::playing) watchBall(score);
   if (control_.state == PlayState::set &&
       distance(scene_.ball.position, middleOf(field_)) > kBallStays)
     putBall(middleOf(field_));
-  keepAside();
+  keepOffField();
   judgeEnd(heard);
   return verdict_;
 }
@@ -116,8 +116,8 @@ void ControlledMatch::followPenalties() {
     if (who.number < 1 || who.number > players.size()) continue;
     const net::ControlPenalty penalty = players[who.number - 1U].penalty;
     const bool off = penalty != net::ControlPenalty::none;
-    if (off == aside_[i]) continue;
-    aside_[i] = off;
+    if (off == offField_[i]) continue;
+    offField_[i] = off;
     record(off ? EventKind::penalty : EventKind::back, i, wordsFor(penalty));
     carry(i, off ? waitingPlace(field_, who) : returnPlace(field_, scene_, i));
     who.playing = !off;
@@ -127,7 +127,7 @@ void ControlledMatch::followPenalties() {
 // The world has put a ball back that went out before anybody can have told of it.
 void ControlledMatch::followDropIn(const net::GameControlData& before) {
   const bool anew = control_.dropInSeconds < before.dropInSeconds;
-  const bool done = putBack_ && (scene_.time - *putBack_).seconds() < kToldLate;
+  const bool done = putBack_ && (scene_.time - *putBack_).seconds() < kLateReport;
   if (!anew || done || inGoal_ || control_.state != PlayState::playing) return;
   record(EventKind::stuck, control_.dropInTeam, "the controller tells of a drop-in");
   putBall(dropIn(field_, scene_));
@@ -183,12 +183,12 @@ void ControlledMatch::watchBall(Score& score) {
   ++score.outs;
 }
 
-void ControlledMatch::keepAside() {
+void ControlledMatch::keepOffField() {
   for (std::size_t i = 0; i < scene_.players.size(); ++i) {
     const Pose2 waits = waitingPlace(field_, scene_.players[i]);
     const bool carried = std::any_of(verdict_.carries.begin(), verdict_.carries.end(),
                                      [i](const Carry& one) { return one.robot == i; });
-    if (!aside_[i] || carried) continue;
+    if (!offField_[i] || carried) continue;
     if (distance(scene_.players[i].pose.position, waits.position) > kStray) carry(i, waits);
   }
 }

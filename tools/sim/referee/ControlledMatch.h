@@ -47,13 +47,13 @@ class ControlledMatch {
   void followDropIn(const net::GameControlData& before);
   void takePlaces();
   void watchBall(Score& score);
-  void keepAside();
+  void keepOffField();
   void judgeEnd(bool heard);
 
   body::FieldDescription field_;
   net::GameControlData control_;
   std::optional<net::GameControlData> news_;
-  std::array<bool, kMaxRobots> aside_{};  // for a penalty
+  std::array<bool, kMaxRobots> offField_{};  // for a penalty
   TouchState touch_;
   bool inGoal_ = false;            // the ball, and the controller has not decided yet
   std::optional<TimeUs> putBack_;  // when the world did so last with a ball that was out

@@ -10,7 +10,7 @@
 namespace kelpie::sim {
 namespace {
 
-constexpr std::size_t kMostLines = 40;  // noise of all kinds is not told for ever
+constexpr std::size_t kMaxLines = 40;  // noise of all kinds is not told for ever
 
 std::string wantedVersions() {
   std::string text = "Kelpie plays version";
@@ -39,7 +39,7 @@ std::optional<std::string> UnusedControl::lineFor(const ControlPacket& packet,
                                                   ControlRefusal refusal) {
   const std::string wrong = whatIsWrong(packet, refusal);
   const bool before = std::find(said_.begin(), said_.end(), wrong) != said_.end();
-  if (before || said_.size() >= kMostLines) return std::nullopt;
+  if (before || said_.size() >= kMaxLines) return std::nullopt;
   said_.push_back(wrong);
   return fmt::format("a packet at port {} is not used: {}", port_, wrong);
 }

@@ -6,7 +6,7 @@
 namespace kelpie::sim {
 namespace {
 
-// Beyond the carpet, so that nobody on it walks into them; the room ends at 60 cm (kRoom).
+// Beyond the carpet, so that nobody on it walks into them; the room ends at 60 cm (kCapacity).
 constexpr double kOffCarpet = 30.0;  // cm
 constexpr double kWaitApart = 45.0;  // cm between robots that wait
 constexpr double kStray = 30.0;      // cm

@@ -104,7 +104,7 @@ Status checkBall(const body::FieldDescription& field, const Ball& ball) {
 }
 
 // Nobody stands in anything. Robots that the scenario placed are checked too.
-Status checkRoom(const body::FieldDescription& field, const Setup& setup) {
+Status checkPlayerCount(const body::FieldDescription& field, const Setup& setup) {
   for (std::size_t i = 0; i < setup.players.size(); ++i) {
     const Player& one = setup.players[i];
     const std::string name = nameOf({one.team, one.number});
@@ -355,7 +355,7 @@ Expected<Setup> stagedScenario(const std::string& name, const body::FieldDescrip
   setup->carries = staging.carries;
   const Status takes = checkTakes(field, *setup);
   if (!takes) return Error{takes.error()};
-  const Status room = checkRoom(field, *setup);
+  const Status room = checkPlayerCount(field, *setup);
   if (!room) return Error{room.error()};
   return setup;
 }

@@ -48,11 +48,11 @@ Point2<Robot> trunkSurface(Point2<Robot> p, bool& inside) {
                   maths::clamp(p.y, kTrunkBack, kChestAhead)};
   inside = q.x == p.x && q.y == p.y;
   if (!inside) return q;
-  const double aside = kTrunkHalfWidth - std::fabs(p.x);
+  const double lateral = kTrunkHalfWidth - std::fabs(p.x);
   const double ahead = kChestAhead - p.y;
   const double behind = p.y - kTrunkBack;
-  if (ahead <= aside && ahead <= behind) return {p.x, kChestAhead};
-  if (behind <= aside) return {p.x, kTrunkBack};
+  if (ahead <= lateral && ahead <= behind) return {p.x, kChestAhead};
+  if (behind <= lateral) return {p.x, kTrunkBack};
   return {p.x < 0.0 ? -kTrunkHalfWidth : kTrunkHalfWidth, p.y};
 }
 
@@ -84,9 +84,9 @@ void touch(Ball& ball, const RobotModel& robot, double t, const BallParams& para
 BallTouch tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
                    const std::vector<Obstacle>& obstacles, const BallParams& params) {
   constexpr double kNearby = 40.0;  // no part of a robot is further from its neck base
-  BallTouch told;
+  BallTouch reported;
   std::optional<std::size_t> first;
-  double most = 0.0;
+  double max = 0.0;
   for (int step = 1; step <= kSteps; ++step) {
     const double t = static_cast<double>(step) / kSteps;
     roll(ball, kTickSeconds / kSteps, params);
@@ -96,16 +96,16 @@ BallTouch tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
       touch(ball, *robots[i], t, params);
       if (distance(before.position, ball.position) <= 0.0) continue;
       if (!first) first = i;
-      told.several = told.several || *first != i;
+      reported.several = reported.several || *first != i;
       const double change = distance(before.velocity, ball.velocity);
-      if (change <= most) continue;
-      most = change;
-      told.most = i;
+      if (change <= max) continue;
+      max = change;
+      reported.max = i;
     }
     bounce(ball, obstacles, params);
     limitSpeed(ball, params);
   }
-  return told;
+  return reported;
 }
 
 }  // namespace kelpie::sim

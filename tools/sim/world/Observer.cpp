@@ -37,10 +37,10 @@ void Observer::walk(double forward, double left, double turn) {
   const double kept = 1.0 - slip();
   for (int i = 0; i < kSteps; ++i) {
     const double ahead = forward * kept;
-    const double aside = left * kept;
+    const double lateral = left * kept;
     truth.heading += turn * kept / kSteps;
-    truth.x += (ahead * std::cos(truth.heading) - aside * std::sin(truth.heading)) / kSteps;
-    truth.y += (ahead * std::sin(truth.heading) + aside * std::cos(truth.heading)) / kSteps;
+    truth.x += (ahead * std::cos(truth.heading) - lateral * std::sin(truth.heading)) / kSteps;
+    truth.y += (ahead * std::sin(truth.heading) + lateral * std::cos(truth.heading)) / kSteps;
   }
   const double way = std::hypot(forward, left);
   if (noise.walk.headingPerCm > 0.0)
@@ -145,8 +145,9 @@ void Observer::lookAtBall(Point2<Field> ball) {
   const BallNoise& errors = noise.ball;
   const Polar real = polarOf(ball);
   double off = random_.gaussian(0.0, errors.heading);
-  if (walking_ && errors.sway) off += std::sqrt(2.0) * errors.walkingHeading * std::sin(phase_);
-  if (walking_ && !errors.sway) off += random_.gaussian(0.0, errors.walkingHeading);
+  if (walking_ && errors.oscillation)
+    off += std::sqrt(2.0) * errors.walkingHeading * std::sin(phase_);
+  if (walking_ && !errors.oscillation) off += random_.gaussian(0.0, errors.walkingHeading);
   BallPercept& p = percepts.ball;
   p.present = true;
   p.distance =

@@ -42,7 +42,7 @@ struct BallNoise {
   double distanceBias = 0.006;
   double heading = 0.15;         // deg
   double walkingHeading = 0.70;  // deg more while walking
-  bool sway = false;             // that part swings with the step instead of being drawn each frame
+  bool oscillation = false;      // that part swings with the step instead of being drawn each frame
 };
 
 struct OpponentNoise {

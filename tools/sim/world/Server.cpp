@@ -67,7 +67,7 @@ Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t 
 }
 
 Server::Server(World& world, std::vector<Agent>& agents, LogWriter* log, ServerHooks hooks)
-    : world_(world), agents_(agents), log_(log), hooks_(std::move(hooks)), crew_(cores()) {
+    : world_(world), agents_(agents), log_(log), hooks_(std::move(hooks)), pool_(cores()) {
   for (std::size_t i = 0; i < agents_.size(); ++i) outboxes_.push_back(std::make_unique<Outbox>());
 }
 
@@ -152,10 +152,10 @@ Status Server::sendTo(std::size_t robot, const Step& step) {
   return connection.send(host::MessageType::step, message, host::MessageType::image, out.buffer);
 }
 
-// Images go on being rendered until the crew has finished; all else is said at once.
+// Images go on being rendered until the pool has finished; all else is said at once.
 void Server::send(Step& step) {
   const auto one = [this, &step](std::size_t i) { step.sent[i] = sendTo(i, step); };
-  if (step.image) return crew_.begin(agents_.size(), one);
+  if (step.image) return pool_.begin(agents_.size(), one);
   for (std::size_t i = 0; i < agents_.size(); ++i) one(i);
 }
 
@@ -223,9 +223,9 @@ bool Server::isAnybodyThere() const {
 
 // With nobody there a match would be over before the first agent has started again.
 void Server::waitForSomebody() {
-  constexpr int kMost = 3000;  // half a minute
+  constexpr int kMax = 3000;  // half a minute
   welcome();
-  for (int i = 0; i < kMost && !isAnybodyThere() && !ends(); ++i) {
+  for (int i = 0; i < kMax && !isAnybodyThere() && !ends(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     welcome();
   }
@@ -275,7 +275,7 @@ Status Server::playOn() {
     const Status started = open_.empty() ? startNext() : Status{Done{}};
     const Status ahead = started ? moveAhead() : started;
     if (!ahead) return ahead;
-    crew_.finish();
+    pool_.finish();
     for (std::size_t i = 1; i < open_.size(); ++i) {  // no images
       begin(open_[i]);
       send(open_[i]);
@@ -292,9 +292,10 @@ Status Server::playOn() {
 }
 
 Status Server::run() {
-  if (log_ != nullptr && world_.isUnlike()) log_->write(kUnlikeTopic, TimeUs{}, world_.unlike());
+  if (log_ != nullptr && world_.isRandomised())
+    log_->write(kRandomisedTopic, TimeUs{}, world_.randomised());
   const Status played = playOn();
-  crew_.finish();
+  pool_.finish();
   writeTruth(world_.time(), false);  // what happened after the last step
   sayGoodbye(played ? 0 : 1);
   return played;

@@ -15,7 +15,7 @@
 
 #include "robot/core/log/LogWriter.h"
 #include "robot/host/world/Connection.h"
-#include "tools/sim/world/Crew.h"
+#include "tools/sim/world/ThreadPool.h"
 #include "tools/sim/world/World.h"
 
 namespace kelpie::sim {
@@ -115,7 +115,7 @@ class Server {
   std::int64_t images_ = 1;
   std::deque<Step> open_;  // steps whose answers have not been taken, the oldest first
   bool over_ = false;      // the last of them ends the match
-  Crew crew_;              // renders and sends the images of the last of them
+  ThreadPool pool_;        // renders and sends the images of the last of them
 };
 
 }  // namespace kelpie::sim

@@ -28,15 +28,15 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
              std::uint64_t seed)
     : params_(params),
       field_(field),
-      unlike_(drawUnlike(params.unlike, seed, setup.players.size())),
+      randomised_(drawRandomised(params.randomised, seed, setup.players.size())),
       obstacles_(obstaclesOf(field)),
       players_(setup.players),
       throws_(setup.throws),
       referee_(params.referee, field),
-      hands_(setup, field),
+      interventions_(setup, field),
       radio_(params.radio, setup.players.size(), partSeed(seed, 3)) {
   const std::uint64_t crowd = params.spectators ? partSeed(seed, 1) | 1U : 0;
-  const Scene scene = fieldScene(field, crowd, unlike_.venue);
+  const Scene scene = fieldScene(field, crowd, randomised_.venue);
   const SharedTables tables = makeRandomTables();
   for (std::size_t i = 0; i < players_.size(); ++i) {
     if (players_[i].deaf) radio_.deafen(i);
@@ -44,7 +44,7 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
     Random colours(partSeed(seed, part));
     sensorRandom_.emplace_back(partSeed(seed, part + 2));
     RobotCamera camera = randomCamera(colours, params_.camera.artefacts);
-    camera.tone = unlike_.robots[i].tone;
+    camera.tone = randomised_.robots[i].tone;
     eyes_.push_back(std::make_unique<Eye>(
         Eye{{params_.camera, camera, tables}, Random(partSeed(seed, part + 3)), scene}));
     shine_.push_back(partSeed(seed, part + 4));
@@ -61,7 +61,7 @@ void World::buildBodies(std::uint64_t seed) {
   if (!params_.fast) {
     std::vector<PhysicalStart> starts;
     for (std::size_t i = 0; i < players_.size(); ++i) {
-      const UnlikeRobot& robot = unlike_.robots[i];
+      const RandomisedRobot& robot = randomised_.robots[i];
       const PhysicsParams physics =
           robot.physics == 0 ? params_.physics : varied(params_.physics, robot.physics);
       starts.push_back({players_[i].start, physics, robot.body, own(i)});
@@ -75,7 +75,7 @@ void World::buildBodies(std::uint64_t seed) {
   }
   auto kinematic = std::make_unique<KinematicBodies>(params_.ball, field_, partSeed(seed, 7));
   for (std::size_t i = 0; i < players_.size(); ++i)
-    kinematic->add({params_.robot, players_[i].start, own(i), unlike_.robots[i].body});
+    kinematic->add({params_.robot, players_[i].start, own(i), randomised_.robots[i].body});
   bodies_ = std::move(kinematic);
 }
 
@@ -131,11 +131,11 @@ void World::obey(const Verdict& verdict) {
 // The referee has no ball to put anywhere while somebody else has it.
 std::array<Verdict, 2> World::judge() {
   MatchScene scene = matchScene();
-  const Verdict hands = hands_.step(scene);
+  const Verdict hands = interventions_.step(scene);
   obey(hands);
   if (hands.ball || !hands.carries.empty()) scene = matchScene();
-  scene.ballAway = hands_.ballAway();
-  if (scene.ballAway) scene.ball = {hands_.takenFrom(), {}};
+  scene.ballAway = interventions_.ballAway();
+  if (scene.ballAway) scene.ball = {interventions_.takenFrom(), {}};
   Verdict calls = referee_.judge(scene);
   if (scene.ballAway) calls.ball.reset();
   obey(calls);
@@ -143,7 +143,7 @@ std::array<Verdict, 2> World::judge() {
 }
 
 std::vector<MatchEvent> World::takeEvents() {
-  std::vector<MatchEvent> events = hands_.takeEvents();
+  std::vector<MatchEvent> events = interventions_.takeEvents();
   const std::vector<MatchEvent> calls = referee_.takeEvents();
   events.insert(events.end(), calls.begin(), calls.end());
   std::stable_sort(events.begin(), events.end(),
@@ -230,7 +230,7 @@ Status World::takeLandmarksAway() {
 
 // A share of the exposure of the image that the robot's camera stamps with `end`.
 double World::ticksAt(std::size_t robot, TimeUs end, double share) const {
-  const double late = 1.0 - share + unlike_.robots[robot].lag;
+  const double late = 1.0 - share + randomised_.robots[robot].lag;
   return std::max(0.0, (static_cast<double>(end.us) - kExposureUs * late) / kTickUs);
 }
 
@@ -238,7 +238,7 @@ double World::ticksAt(std::size_t robot, TimeUs end, double share) const {
 // of theirs, 0.005 px off for a head of 400 deg/s, and most columns cost no joint's sine.
 ColumnCameras World::cameras(std::size_t robot, const Past& past, TimeUs end) const {
   constexpr double kPerTick = 4.0;
-  const UnlikeRobot& own = unlike_.robots[robot];
+  const RandomisedRobot& own = randomised_.robots[robot];
   const double readout = params_.rolling ? own.readout : 0.0;
   const auto cameraAt = [&](double quarter) {
     const BodyPlace place = past.place(robot, quarter / kPerTick);
@@ -272,7 +272,7 @@ void World::render(std::size_t robot, const Past& past, TimeUs end, Image& image
     const Point2<Field> at = place.pose.position;
     if (!mayShow(columns, {{at.x, at.y, 0.0}, kRobotReach, {}})) continue;
     others.push_back({place.pose, place.stance.shoulderHeight, players_[i].team, shine_[i],
-                      unlike_.robots[i].uniform});
+                      randomised_.robots[i].uniform});
   }
   setRobots(eye.scene, others, params_.shine);
   if (params_.ownLegs) eye.scene.own = frontLegs(past.place(robot, middle));

@@ -16,14 +16,14 @@
 #include "robot/host/world/WorldProtocol.h"
 #include "tools/sim/bodies/Bodies.h"
 #include "tools/sim/bodies/Past.h"
+#include "tools/sim/bodies/Randomisation.h"
 #include "tools/sim/bodies/RobotModel.h"
 #include "tools/sim/bodies/Sensors.h"
-#include "tools/sim/bodies/Unlike.h"
 #include "tools/sim/camera/Camera.h"
 #include "tools/sim/camera/OuterWall.h"
 #include "tools/sim/physics/PhysicalBodies.h"
 #include "tools/sim/referee/Referee.h"
-#include "tools/sim/staging/Hands.h"
+#include "tools/sim/staging/Intervention.h"
 #include "tools/sim/world/Ball.h"
 #include "tools/sim/world/Radio.h"
 #include "tools/sim/world/Setup.h"
@@ -42,10 +42,10 @@ struct WorldParams {
   RefereeParams referee;
   RadioParams radio;
   ShineParams shine;
-  UnlikeParams unlike;     // no field of the list below: its truth has a topic of its own
-  bool rolling = true;     // each image column is exposed at its own time
-  bool spectators = true;  // people and coloured things around the field
-  bool ownLegs = true;     // a robot can see its own front legs
+  RandomisationParams randomised;  // no field of the list below: its truth has a topic of its own
+  bool rolling = true;             // each image column is exposed at its own time
+  bool spectators = true;          // people and coloured things around the field
+  bool ownLegs = true;             // a robot can see its own front legs
 
   template <int = 0>
   static constexpr auto fields() {
@@ -119,8 +119,10 @@ class World {
   void hear(const net::GameControlData& control) { referee_.hear(control); }
   TruthFrame truth(TimeUs time) const;
   // What was drawn of it when it is unlike; for logs.
-  const UnlikeWorld& unlike() const { return unlike_; }
-  bool isUnlike() const { return params_.unlike.seed != 0 || !params_.unlike.lean.level(); }
+  const RandomisedWorld& randomised() const { return randomised_; }
+  bool isRandomised() const {
+    return params_.randomised.seed != 0 || !params_.randomised.lean.level();
+  }
   Ball ball() const { return bodies_->ball(); }
   void putBall(const Ball& ball) { bodies_->putBall(ball); }
   const Score& score() const { return referee_.score(); }
@@ -145,7 +147,7 @@ class World {
 
   WorldParams params_;
   body::FieldDescription field_;
-  UnlikeWorld unlike_;
+  RandomisedWorld randomised_;
   std::vector<Obstacle> obstacles_;
   std::vector<Player> players_;
   std::vector<BallThrow> throws_;
@@ -156,7 +158,7 @@ class World {
   std::vector<Random> sensorRandom_;
   std::vector<std::unique_ptr<Eye>> eyes_;
   Referee referee_;
-  Hands hands_;
+  Intervention interventions_;
   Radio radio_;
   Past past_;
   std::uint32_t ticks_ = 0;

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostFolders = 999;
+constexpr int kMaxFolders = 999;
 
 std::string folderName(int number) { return fmt::format("FORMER.{:03}", number); }
 
@@ -150,7 +150,7 @@ Expected<std::string> keepFormer(const StickTree& former, const std::string& roo
   std::error_code error;
   for (; fs::exists(fs::path(root) / folderName(number), error); ++number) {
     if (holdsAll(former, fs::path(root) / folderName(number))) return folderName(number);
-    if (number == kMostFolders) return Error{root + ": has no name left for a folder FORMER"};
+    if (number == kMaxFolders) return Error{root + ": has no name left for a folder FORMER"};
   }
   const fs::path unfinished = fs::path(root) / kUnfinished;
   fs::remove_all(unfinished, error);

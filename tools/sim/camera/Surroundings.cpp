@@ -11,12 +11,12 @@
 namespace kelpie::sim {
 namespace {
 
-constexpr double kRoomMargin = 320.0;  // cm from the field to the walls of the room
-constexpr double kRoomHeight = 420.0;
+constexpr double kSurroundingsMargin = 320.0;  // cm from the field to the walls of the room
+constexpr double kWallHeight = 420.0;
 constexpr std::array<double, 4> kLight{1.0, 0.9, 1.05, 0.85};
 constexpr double kNearestWall = 240.0;  // cm from the field; tables are up to 230
 constexpr double kFarthestWall = 420.0;
-constexpr int kMostTables = 8;
+constexpr int kMaxTables = 8;
 // cm beyond the carpet: where the farthest spectator is at 150, and clear of where robots walk.
 constexpr double kBoardsBeyond = 62.0;
 constexpr double kNearestTable = 152.0;
@@ -72,7 +72,7 @@ void addWalls(Scene& scene, const std::array<Side, 4>& sides, Random& random) {
     const Colour colour = brighter(drawn(kWalls, random), kLight[i]);
     const double dado = random.chance(0.4) ? random.uniform(70.0, 130.0) : 0.0;
     if (dado > 0.0) addUpright(scene, sides[i], {0.0, dado}, drawn(kWalls, random), 0.1);
-    addUpright(scene, sides[i], {dado, kRoomHeight}, colour, 0.15);
+    addUpright(scene, sides[i], {dado, kWallHeight}, colour, 0.15);
   }
 }
 
@@ -123,11 +123,11 @@ std::array<Side, 4> wallsAt(const body::FieldDescription& field, double margin) 
 
 }  // namespace
 
-void addRoom(Scene& scene, const body::FieldDescription& field, std::uint64_t seed) {
+void addSurroundings(Scene& scene, const body::FieldDescription& field, std::uint64_t seed) {
   if (seed == 0) {
-    const std::array<Side, 4> sides = wallsAt(field, kRoomMargin);
+    const std::array<Side, 4> sides = wallsAt(field, kSurroundingsMargin);
     for (std::size_t i = 0; i < sides.size(); ++i)
-      addUpright(scene, sides[i], {0.0, kRoomHeight}, brighter(colours::kWall, kLight[i]), 0.15);
+      addUpright(scene, sides[i], {0.0, kWallHeight}, brighter(colours::kWall, kLight[i]), 0.15);
     return;
   }
   Random random(seed);
@@ -135,7 +135,7 @@ void addRoom(Scene& scene, const body::FieldDescription& field, std::uint64_t se
   scene.ceiling = brighter(scene.ceiling, random.uniform(0.6, 1.1));
   addWalls(scene, wallsAt(field, random.uniform(kNearestWall, kFarthestWall)), random);
   addBoards(scene, random);
-  const auto tables = static_cast<int>(random.index(kMostTables + 1));
+  const auto tables = static_cast<int>(random.index(kMaxTables + 1));
   for (int i = 0; i < tables; ++i) addTable(scene, random);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/sim/staging/Hands.h"
+#include "tools/sim/staging/Intervention.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,12 +18,12 @@ bool isThere(const MatchScene& scene, std::size_t robot, const Pose2& place) {
 
 }  // namespace
 
-Hands::Hands(const Setup& setup, const body::FieldDescription& field)
+Intervention::Intervention(const Setup& setup, const body::FieldDescription& field)
     : takes_(setup.takes), middle_{0.5 * field.width, 0.5 * field.length} {
   for (const RobotCarry& one : setup.carries) carries_.push_back({one});
 }
 
-void Hands::record(const MatchScene& scene, EventKind kind) {
+void Intervention::record(const MatchScene& scene, EventKind kind) {
   MatchEvent event;
   event.time = scene.time;
   event.kind = kind;
@@ -32,7 +32,7 @@ void Hands::record(const MatchScene& scene, EventKind kind) {
   events_.push_back(event);
 }
 
-void Hands::moveBall(const MatchScene& scene, Verdict& verdict) {
+void Intervention::moveBall(const MatchScene& scene, Verdict& verdict) {
   const double now = scene.time.seconds();
   if (away_ && now >= takes_[taken_].time + takes_[taken_].seconds) {
     const Point2<Field> back = takes_[taken_++].back.value_or(middle_);
@@ -48,7 +48,7 @@ void Hands::moveBall(const MatchScene& scene, Verdict& verdict) {
   verdict.ball = Ball{kAwayBall, {}};
 }
 
-void Hands::carryRobots(const MatchScene& scene, Verdict& verdict) {
+void Intervention::carryRobots(const MatchScene& scene, Verdict& verdict) {
   for (Carrying& one : carries_) {
     if (one.done || scene.time.seconds() < one.order.time) continue;
     const auto named = [&](const ScenePlayer& p) {
@@ -67,13 +67,13 @@ void Hands::carryRobots(const MatchScene& scene, Verdict& verdict) {
   }
 }
 
-Verdict Hands::step(const MatchScene& scene) {
+Verdict Intervention::step(const MatchScene& scene) {
   Verdict verdict;
   moveBall(scene, verdict);
   carryRobots(scene, verdict);
   return verdict;
 }
 
-std::vector<MatchEvent> Hands::takeEvents() { return std::exchange(events_, {}); }
+std::vector<MatchEvent> Intervention::takeEvents() { return std::exchange(events_, {}); }
 
 }  // namespace kelpie::sim

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/sim/world/Crew.h"
+#include "tools/sim/world/ThreadPool.h"
 
 #include <utility>
 
 namespace kelpie::sim {
 
-Crew::Crew(std::size_t threads) {
+ThreadPool::ThreadPool(std::size_t threads) {
   for (std::size_t i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
 }
 
-Crew::~Crew() {
+ThreadPool::~ThreadPool() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ends_ = true;
@@ -18,7 +18,7 @@ Crew::~Crew() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void Crew::begin(std::size_t count, Piece piece) {
+void ThreadPool::begin(std::size_t count, Piece piece) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     piece_ = std::move(piece);
@@ -29,7 +29,7 @@ void Crew::begin(std::size_t count, Piece piece) {
   begun_.notify_all();
 }
 
-void Crew::finish() {
+void ThreadPool::finish() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (takeOne(lock)) {
   }
@@ -38,7 +38,7 @@ void Crew::finish() {
 }
 
 // Whether there was one. The lock is held before and after, not while it is worked on.
-bool Crew::takeOne(std::unique_lock<std::mutex>& lock) {
+bool ThreadPool::takeOne(std::unique_lock<std::mutex>& lock) {
   if (next_ == count_) return false;
   const std::size_t i = next_++;
   lock.unlock();
@@ -54,7 +54,7 @@ bool Crew::takeOne(std::unique_lock<std::mutex>& lock) {
   return true;
 }
 
-void Crew::work() {
+void ThreadPool::work() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
     begun_.wait(lock, [this] { return ends_ || next_ < count_; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/odometry/Told.h"
+#include "actuator/odometry/OdometryTerms.h"
 
 #include <cmath>
 
@@ -43,7 +43,7 @@ AcrossTerms acrossFactors(const Velocity& feet, double joints) {
   f.speedLeft = std::fabs(forward) * left;
   f.speedTurn = std::fabs(forward) * turn;
   f.leftTurning = left * std::fabs(turn);
-  f.turnAside = turn * std::fabs(left);
+  f.turnLateral = turn * std::fabs(left);
   return f;
 }
 
@@ -67,7 +67,7 @@ double sum(const AcrossTerms& f, const AcrossTerms& share) {
          f.turnCubed * share.turnCubed + f.forwardLeft * share.forwardLeft +
          f.forwardTurn * share.forwardTurn + f.speedLeft * share.speedLeft +
          f.speedTurn * share.speedTurn + f.leftTurning * share.leftTurning +
-         f.turnAside * share.turnAside + sum(f.felt, share.felt) +
+         f.turnLateral * share.turnLateral + sum(f.felt, share.felt) +
          sum(f.otherLegs, share.otherLegs) + sum(f.otherLegsBent, share.otherLegsBent);
 }
 

@@ -33,11 +33,11 @@ double rotatorCurrent(const LegCurrents& currents);
 
 // All feet together, on the ground, in the torso's axes: shares of a joint's greatest torque for
 // a cm; the turn about the middle of the body, to the left, in shares of that torque.
-struct Push {
+struct ContactForce {
   double forward = 0.0;
   double left = 0.0;
   double turn = 0.0;
 };
-Push pushOf(const LegCurrents& currents, const SensedLegs& legs);
+ContactForce contactForceOf(const LegCurrents& currents, const SensedLegs& legs);
 
 }  // namespace kelpie::actuator

@@ -6,44 +6,46 @@
 #include "robot/body/Camera.h"
 #include "robot/core/fields/FieldCheck.h"
 #include "tools/sim/bodies/KinematicBodies.h"
-#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/bodies/Randomisation.h"
 #include "tools/sim/world/World.h"
 
 namespace kelpie::sim {
 namespace {
 
-UnlikeRobot drawnWith(const std::vector<std::string>& only, std::uint64_t match = 5) {
-  return drawUnlikeRobot(unlikeParams(3, only), match, 0);
+RandomisedRobot drawnWith(const std::vector<std::string>& only, std::uint64_t match = 5) {
+  return drawRandomisedRobot(randomisationParams(3, only), match, 0);
 }
 
-bool same(const UnlikeRobot& a, const UnlikeRobot& b) { return !firstDifference(a, b, nullptr); }
-
-TEST(Unlike, TheLikeWorldHasNoDifference) {
-  EXPECT_TRUE(same(drawUnlikeRobot({}, 5, 0), {}));
-  EXPECT_TRUE(drawUnlikeRobot({}, 5, 0).body.lean.level());
+bool same(const RandomisedRobot& a, const RandomisedRobot& b) {
+  return !firstDifference(a, b, nullptr);
 }
 
-TEST(Unlike, EveryKindAloneIsAPartOfTheWhole) {
-  for (const std::string& kind : unlikeKinds()) {
+TEST(Randomisation, TheLikeWorldHasNoDifference) {
+  EXPECT_TRUE(same(drawRandomisedRobot({}, 5, 0), {}));
+  EXPECT_TRUE(drawRandomisedRobot({}, 5, 0).body.lean.level());
+}
+
+TEST(Randomisation, EveryKindAloneIsAPartOfTheWhole) {
+  for (const std::string& kind : randomisedKinds()) {
     bool differs = false;
     for (std::uint64_t match = 5; match < 13; ++match)
-      differs = differs || firstDifference(drawUnlike(unlikeParams(3, {kind}), match, 1),
-                                           drawUnlike({}, match, 1), nullptr);
+      differs = differs || firstDifference(drawRandomised(randomisationParams(3, {kind}), match, 1),
+                                           drawRandomised({}, match, 1), nullptr);
     EXPECT_TRUE(differs) << kind;
   }
-  UnlikeRobot lens;
+  RandomisedRobot lens;
   lens.lens = drawnWith({}).lens;
   EXPECT_TRUE(same(drawnWith({"lens"}), lens));
 }
 
-TEST(Unlike, EveryMatchAndRobotIsDrawnAnewAndRepeats) {
+TEST(Randomisation, EveryMatchAndRobotIsDrawnAnewAndRepeats) {
   EXPECT_TRUE(same(drawnWith({}), drawnWith({})));
   EXPECT_FALSE(same(drawnWith({}), drawnWith({}, 6)));
-  EXPECT_FALSE(same(drawnWith({}), drawUnlikeRobot(unlikeParams(3, {}), 5, 1)));
-  EXPECT_FALSE(same(drawnWith({}), drawUnlikeRobot(unlikeParams(4, {}), 5, 0)));
+  EXPECT_FALSE(same(drawnWith({}), drawRandomisedRobot(randomisationParams(3, {}), 5, 1)));
+  EXPECT_FALSE(same(drawnWith({}), drawRandomisedRobot(randomisationParams(4, {}), 5, 0)));
 }
 
-TEST(Unlike, LeansHaveTheirSpread) {
+TEST(Randomisation, LeansHaveTheirSpread) {
   double tilt2 = 0.0;
   double roll2 = 0.0;
   constexpr int kMatches = 2000;
@@ -110,10 +112,10 @@ TEST(Backlash, AHeadThatRestsHangsForwardAndItsPanStays) {
   EXPECT_NEAR(head[Joint::headNod].deg(), -0.5, 1e-9);
 }
 
-World worldWith(const UnlikeParams& unlike) {
+World worldWith(const RandomisationParams& randomised) {
   const body::FieldDescription field = *body::fieldDescription("2006");
   WorldParams params;
-  params.unlike = unlike;
+  params.randomised = randomised;
   World world(params, field, *scenario("empty-goal", field, {{TeamColour::red, 1}}, 3), 3);
   for (int i = 0; i < 40; ++i) {
     world.shove(0, {}, Angle::deg(0.5));
@@ -123,13 +125,13 @@ World worldWith(const UnlikeParams& unlike) {
 }
 
 // That kind alone, with the share of robots that have it, or the shortest of it, at its end.
-UnlikeParams certain(const char* kind) {
-  UnlikeParams params = unlikeParams(1, {kind});
+RandomisationParams certain(const char* kind) {
+  RandomisationParams params = randomisationParams(1, {kind});
   params.globalShutter = params.lagging = 1.0;
   return params;
 }
 
-TEST(Unlike, ALateImageIsThatOfTheFrameBefore) {
+TEST(Randomisation, ALateImageIsThatOfTheFrameBefore) {
   const World like = worldWith({});
   const World late = worldWith(certain("lag"));
   const TimeUs end = like.time();
@@ -141,7 +143,7 @@ TEST(Unlike, ALateImageIsThatOfTheFrameBefore) {
   }
 }
 
-TEST(Unlike, AColumnsCameraIsThatOfItsOwnTime) {
+TEST(Randomisation, AColumnsCameraIsThatOfItsOwnTime) {
   constexpr double kHundredthOfAPixel = 0.01 / 192.0;
   const World world = worldWith({});
   const TimeUs end = world.time();
@@ -155,7 +157,7 @@ TEST(Unlike, AColumnsCameraIsThatOfItsOwnTime) {
   }
 }
 
-TEST(Unlike, AGlobalShutterExposesAllColumnsInTheMiddle) {
+TEST(Randomisation, AGlobalShutterExposesAllColumnsInTheMiddle) {
   const World like = worldWith({});
   const World global = worldWith(certain("shutter"));
   const auto columns = global.cameras(0, global.time());
@@ -163,8 +165,8 @@ TEST(Unlike, AGlobalShutterExposesAllColumnsInTheMiddle) {
   EXPECT_NE(like.cameras(0, like.time())[0].forward.x, like.cameras(0, like.time())[207].forward.x);
 }
 
-TEST(Unlike, AWorldWithItsLensShowsPointsWhereTheLensHasThem) {
-  const World world = worldWith(unlikeParams(1, {"lens"}));
+TEST(Randomisation, AWorldWithItsLensShowsPointsWhereTheLensHasThem) {
+  const World world = worldWith(randomisationParams(1, {"lens"}));
   const FieldCamera camera = world.cameras(0, world.time())[104];
   ASSERT_NE(camera.lens.focal, Lens{}.focal);
   Scene scene;
@@ -186,11 +188,11 @@ TEST(Unlike, AWorldWithItsLensShowsPointsWhereTheLensHasThem) {
 }
 
 // Of a physical robot that has begun to walk off its starting pose.
-JointAngles legsAfter(const UnlikeParams& unlike) {
+JointAngles legsAfter(const RandomisationParams& randomised) {
   const body::FieldDescription field = *body::fieldDescription("2006");
   WorldParams params;
   params.fast = false;
-  params.unlike = unlike;
+  params.randomised = randomised;
   World world(params, field, *scenario("empty-goal", field, {{TeamColour::red, 1}}, 3), 3);
   host::AgentReply reply;
   reply.motorPower = true;
@@ -200,16 +202,16 @@ JointAngles legsAfter(const UnlikeParams& unlike) {
   return world.bodies().place(0).joints;
 }
 
-TEST(Unlike, PhysicalRobotsMoveAsTheirOwnServosMassAndFriction) {
+TEST(Randomisation, PhysicalRobotsMoveAsTheirOwnServosMassAndFriction) {
   const JointAngles like = legsAfter({});
   const auto differ = [&like](const JointAngles& legs) {
     return legs[Joint::leftHindKnee] != like[Joint::leftHindKnee];
   };
-  EXPECT_TRUE(differ(legsAfter(unlikeParams(1, {"physics"}))));
-  EXPECT_FALSE(differ(legsAfter(unlikeParams(1, {"tape"}))));
+  EXPECT_TRUE(differ(legsAfter(randomisationParams(1, {"physics"}))));
+  EXPECT_FALSE(differ(legsAfter(randomisationParams(1, {"tape"}))));
 }
 
-TEST(Unlike, TheAccelerometerFeelsTheLeanAndItsBias) {
+TEST(Randomisation, TheAccelerometerFeelsTheLeanAndItsBias) {
   BodyFaults faults;
   faults.lean = {Angle::deg(1.0), Angle::deg(2.0)};
   faults.accelerationBias = {3.0, 4.0, 5.0};

@@ -12,9 +12,9 @@
 
 namespace kelpie::sim {
 
-class Hands {
+class Intervention {
  public:
-  Hands(const Setup& setup, const body::FieldDescription& field);
+  Intervention(const Setup& setup, const body::FieldDescription& field);
 
   // What is due at the scene's time.
   Verdict step(const MatchScene& scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/feeling/Push.h"
+#include "actuator/feeling/ContactForce.h"
 
 #include <cmath>
 
@@ -39,8 +39,8 @@ Vector wayOf(LegId leg, const body::LegTurns& nudged, const Vector& foot) {
 
 // Where the foot goes for a radian of each joint. Angles and nudged angles each have their sines
 // once: three times as many took a tenth of the motion step.
-std::array<Vector, 3> waysOf(LegId leg, const body::LegTurns& here, const body::LegTurns& nudged,
-                             const Vector& foot) {
+std::array<Vector, 3> directionsOf(LegId leg, const body::LegTurns& here,
+                                   const body::LegTurns& nudged, const Vector& foot) {
   return {wayOf(leg, {nudged.rotator, here.shoulder, here.knee}, foot),
           wayOf(leg, {here.rotator, nudged.shoulder, here.knee}, foot),
           wayOf(leg, {here.rotator, here.shoulder, nudged.knee}, foot)};
@@ -85,15 +85,15 @@ double rotatorCurrent(const LegCurrents& currents) {
   return sum / kLegCount;
 }
 
-Push pushOf(const LegCurrents& currents, const SensedLegs& legs) {
-  Push push;
+ContactForce contactForceOf(const LegCurrents& currents, const SensedLegs& legs) {
+  ContactForce push;
   for (std::size_t i = 0; i < kLegCount; ++i) {
     const auto leg = static_cast<LegId>(i);
     const double* angle = &legs.angle[3 * i];
     const body::LegTurns here = turnsAt(leg, angle, 0.0);
     const Vector foot = body::footPosition(leg, here);
     const Vector force =
-        forceOf(waysOf(leg, here, turnsAt(leg, angle, kNudge), foot), &currents[3 * i]);
+        forceOf(directionsOf(leg, here, turnsAt(leg, angle, kNudge), foot), &currents[3 * i]);
     push.forward += force.y;
     push.left -= force.x;
     push.turn += foot.x * force.y - (foot.y + 0.5 * body::kBodyLength) * force.x;

@@ -21,13 +21,14 @@ struct Stride {
 // step and of what goes ahead for the latter, and twice a step it is the other way round. A body at
 // full speed ahead turns to and fro once and three times a step: with the first alone a tick's turn
 // was told 0.44 deg wrong (rms over 32 ms) of 0.47 that there are, with both 0.28.
-enum class SwaySide : std::uint8_t { same, opposite };
+enum class OscillationSymmetry : std::uint8_t { same, opposite };
 
-// Each number of SwayCurve times this is summed.
-SwayCurve swayFactors(const Stride& stride, const StrokeLimits& most, SwaySide side);
+// Each number of OscillationCurve times this is summed.
+OscillationCurve oscillationFactors(const Stride& stride, const StrokeLimits& max,
+                                    OscillationSymmetry side);
 
 // The stance by the legs, with the sway of that stride.
-Stance swaying(const Stance& legs, const Stride& stride, const WalkSet& set);
+Stance oscillating(const Stance& legs, const Stride& stride, const WalkSet& set);
 
 // Where the robot frame is beside its even way.
 struct Swing {

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "tools/cli/options/CommandLine.h"
-#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/bodies/Randomisation.h"
 
 namespace kelpie::cli {
 
-struct UnlikeOptions {
+struct RandomisationOptions {
   std::uint64_t seed = 0;         // 0: the like world
   std::vector<std::string> only;  // kinds; empty: all
   double tiltError = 0.0;         // deg, constant, of every robot, whatever the seed
@@ -20,12 +20,12 @@ struct UnlikeOptions {
 };
 
 // --unlike and --unlike-only.
-void addUnlikeOptions(CommandLine& command, UnlikeOptions& options);
+void addRandomisationOptions(CommandLine& command, RandomisationOptions& options);
 // --tilt-error and --roll-error.
-void addLeanOptions(CommandLine& command, UnlikeOptions& options);
+void addLeanOptions(CommandLine& command, RandomisationOptions& options);
 
-sim::UnlikeParams paramsOf(const UnlikeOptions& options);
+sim::RandomisationParams paramsOf(const RandomisationOptions& options);
 // The words that ask kelpie-world for the same.
-std::vector<std::string> wordsOf(const UnlikeOptions& options);
+std::vector<std::string> wordsOf(const RandomisationOptions& options);
 
 }  // namespace kelpie::cli

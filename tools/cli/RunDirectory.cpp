@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cli/Workshop.h"
+#include "tools/cli/RunDirectory.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -56,7 +56,7 @@ void removeLeftBehind(const fs::path& where) {
 
 }  // namespace
 
-Workshop::Workshop() {
+RunDirectory::RunDirectory() {
   std::error_code error;
   const fs::path where = fs::temp_directory_path(error);
   if (error) return;
@@ -68,7 +68,7 @@ Workshop::Workshop() {
   std::ofstream mark(path(kMark));
 }
 
-Workshop::~Workshop() {
+RunDirectory::~RunDirectory() {
   std::error_code ignored;
   if (!folder_.empty()) fs::remove_all(folder_, ignored);
   if (lock_ >= 0) close(lock_);

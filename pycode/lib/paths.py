@@ -82,7 +82,7 @@ def stays_on(field, start, end, rise) -> bool:
     return EDGE <= x <= field.width - EDGE and EDGE <= y <= field.length - EDGE
 
 
-def aside_of(world, point) -> float:
+def bearing_of(world, point) -> float:
     """deg left of straight ahead to a point of the field; 0 for None."""
     if point is None:
         return 0.0

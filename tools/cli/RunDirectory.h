@@ -8,12 +8,12 @@
 
 namespace kelpie::cli {
 
-class Workshop {
+class RunDirectory {
  public:
-  Workshop();
-  ~Workshop();
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
+  RunDirectory();
+  ~RunDirectory();
+  RunDirectory(const RunDirectory&) = delete;
+  RunDirectory& operator=(const RunDirectory&) = delete;
 
   bool ready() const { return !folder_.empty(); }
   std::string path(const char* name) const { return folder_ + "/" + name; }

@@ -19,10 +19,10 @@
 
 namespace kelpie::sim {
 
-constexpr const char* kUnlikeTopic = "/unlike";
+constexpr const char* kRandomisedTopic = "/randomised";
 
 // What kinds of difference there are, and how large they are drawn.
-struct UnlikeParams {
+struct RandomisationParams {
   std::uint64_t seed = 0;  // 0: the like world
   Lean lean;               // constant, of every robot, in the like world too: for experiments
 
@@ -92,7 +92,7 @@ struct BodyFaults {
   }
 };
 
-struct UnlikeRobot {
+struct RandomisedRobot {
   BodyFaults body;
   std::uint64_t physics = 0;  // seed of a varied physical robot; 0: the standard one
   Lens lens;
@@ -103,33 +103,38 @@ struct UnlikeRobot {
 
   template <int = 0>
   static constexpr auto fields() {
-    return fieldList(
-        field("body", &UnlikeRobot::body), field("physics", &UnlikeRobot::physics),
-        field("lens", &UnlikeRobot::lens), field("readout", &UnlikeRobot::readout, "", 0, 1),
-        field("lag", &UnlikeRobot::lag, "", 0, 1), field("tone", &UnlikeRobot::tone, "", 0.5, 2),
-        field("uniform", &UnlikeRobot::uniform));
+    return fieldList(field("body", &RandomisedRobot::body),
+                     field("physics", &RandomisedRobot::physics),
+                     field("lens", &RandomisedRobot::lens),
+                     field("readout", &RandomisedRobot::readout, "", 0, 1),
+                     field("lag", &RandomisedRobot::lag, "", 0, 1),
+                     field("tone", &RandomisedRobot::tone, "", 0.5, 2),
+                     field("uniform", &RandomisedRobot::uniform));
   }
 };
 
 // All that was drawn for a match: truth, for logs and experiments, never for an agent.
-struct UnlikeWorld {
-  FixedVector<UnlikeRobot, kMaxRobots> robots;
+struct RandomisedWorld {
+  FixedVector<RandomisedRobot, kMaxRobots> robots;
   Venue venue;
 
   template <int = 0>
   static constexpr auto fields() {
-    return fieldList(field("robots", &UnlikeWorld::robots), field("venue", &UnlikeWorld::venue));
+    return fieldList(field("robots", &RandomisedWorld::robots),
+                     field("venue", &RandomisedWorld::venue));
   }
 };
 
 // `match`: the seed of the match or trial; each has an unlike world of its own.
-UnlikeRobot drawUnlikeRobot(const UnlikeParams& params, std::uint64_t match, std::size_t robot);
-Venue drawUnlikeVenue(const UnlikeParams& params, std::uint64_t match);
-UnlikeWorld drawUnlike(const UnlikeParams& params, std::uint64_t match, std::size_t robots);
+RandomisedRobot drawRandomisedRobot(const RandomisationParams& params, std::uint64_t match,
+                                    std::size_t robot);
+Venue drawRandomisedVenue(const RandomisationParams& params, std::uint64_t match);
+RandomisedWorld drawRandomised(const RandomisationParams& params, std::uint64_t match,
+                               std::size_t robots);
 
 // The kinds by name, as for --unlike-only.
-std::vector<std::string> unlikeKinds();
+std::vector<std::string> randomisedKinds();
 // That seed with only these kinds; with all if none is named. Names must be known.
-UnlikeParams unlikeParams(std::uint64_t seed, const std::vector<std::string>& only);
+RandomisationParams randomisationParams(std::uint64_t seed, const std::vector<std::string>& only);
 
 }  // namespace kelpie::sim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/sim/bodies/Unlike.h"
+#include "tools/sim/bodies/Randomisation.h"
 
 #include <algorithm>
 
@@ -10,20 +10,20 @@ namespace {
 
 struct Kind {
   const char* name;
-  bool UnlikeParams::*on;
+  bool RandomisationParams::*on;
 };
-constexpr std::array<Kind, 12> kKinds{{{"body", &UnlikeParams::body},
-                                       {"physics", &UnlikeParams::physics},
-                                       {"neck", &UnlikeParams::neck},
-                                       {"lens", &UnlikeParams::lens},
-                                       {"shutter", &UnlikeParams::shutter},
-                                       {"lag", &UnlikeParams::lag},
-                                       {"tone", &UnlikeParams::tone},
-                                       {"uniform", &UnlikeParams::uniform},
-                                       {"tape", &UnlikeParams::tape},
-                                       {"carpet", &UnlikeParams::carpet},
-                                       {"light", &UnlikeParams::light},
-                                       {"room", &UnlikeParams::room}}};
+constexpr std::array<Kind, 12> kKinds{{{"body", &RandomisationParams::body},
+                                       {"physics", &RandomisationParams::physics},
+                                       {"neck", &RandomisationParams::neck},
+                                       {"lens", &RandomisationParams::lens},
+                                       {"shutter", &RandomisationParams::shutter},
+                                       {"lag", &RandomisationParams::lag},
+                                       {"tone", &RandomisationParams::tone},
+                                       {"uniform", &RandomisationParams::uniform},
+                                       {"tape", &RandomisationParams::tape},
+                                       {"carpet", &RandomisationParams::carpet},
+                                       {"light", &RandomisationParams::light},
+                                       {"room", &RandomisationParams::room}}};
 
 enum class Stream : std::uint64_t {
   body = 1,
@@ -42,13 +42,14 @@ enum class Stream : std::uint64_t {
 constexpr std::size_t kVenue = kMaxRobots;  // where a robot's number stands otherwise
 
 // Every kind of every robot of every match has its own numbers.
-Random streamOf(const UnlikeParams& params, std::uint64_t match, std::size_t robot, Stream kind) {
+Random streamOf(const RandomisationParams& params, std::uint64_t match, std::size_t robot,
+                Stream kind) {
   Random first(params.seed * 0x9e3779b97f4a7c15ULL ^ match);
   const std::uint64_t part = 100 * (robot + 1) + static_cast<std::uint64_t>(kind);
   return Random(first.next() ^ part * 0xbf58476d1ce4e5b9ULL);
 }
 
-BodyFaults drawBody(const UnlikeParams& params, Random random) {
+BodyFaults drawBody(const RandomisationParams& params, Random random) {
   BodyFaults body;
   body.lean = {Angle::deg(random.gaussian(0.0, params.leanSdDeg)),
                Angle::deg(random.gaussian(0.0, params.leanSdDeg))};
@@ -56,25 +57,25 @@ BodyFaults drawBody(const UnlikeParams& params, Random random) {
   return body;
 }
 
-NeckPlay drawPlay(const UnlikeParams& params, Random random) {
+NeckPlay drawPlay(const RandomisationParams& params, Random random) {
   return {Angle::deg(random.uniform(0.0, params.tiltPlayDeg)),
           Angle::deg(random.uniform(0.0, params.panPlayDeg)),
           Angle::deg(random.uniform(0.0, params.nodPlayDeg))};
 }
 
-double drawReadout(const UnlikeParams& params, Random random) {
+double drawReadout(const RandomisationParams& params, Random random) {
   if (random.chance(params.globalShutter)) return 0.0;
   return random.uniform(params.shortestReadout, 1.0);
 }
 
-std::array<double, 3> drawTone(const UnlikeParams& params, Random random) {
-  const auto about1 = [&](double most) { return 1.0 + most * random.uniform(-1.0, 1.0); };
+std::array<double, 3> drawTone(const RandomisationParams& params, Random random) {
+  const auto about1 = [&](double max) { return 1.0 + max * random.uniform(-1.0, 1.0); };
   const double y = about1(params.toneY);
   const double cr = about1(params.toneChroma);
   return {y, cr, about1(params.toneChroma)};
 }
 
-Uniform drawUniform(const UnlikeParams& params, Random random) {
+Uniform drawUniform(const RandomisationParams& params, Random random) {
   Uniform uniform;
   uniform.fade = random.uniform(0.0, params.fade);
   uniform.scuffs = random.uniform(0.0, params.scuffs);
@@ -82,13 +83,13 @@ Uniform drawUniform(const UnlikeParams& params, Random random) {
   return uniform;
 }
 
-void drawCarpet(const UnlikeParams& params, Random random, Venue& venue) {
+void drawCarpet(const RandomisationParams& params, Random random, Venue& venue) {
   venue.carpet = random.uniform(params.darkestCarpet, params.brightestCarpet);
   venue.stripes.width = random.uniform(60.0, 200.0);  // cm; carpet is sold in strips of 2 m
   venue.stripes.contrast = random.uniform(0.0, params.stripeContrast);
 }
 
-SecondLight drawLight(const UnlikeParams& params, Random random) {
+SecondLight drawLight(const RandomisationParams& params, Random random) {
   SecondLight light;
   light.side = Angle::deg(random.uniform(-180.0, 180.0));
   light.strength = random.uniform(0.0, params.lightStrength);
@@ -98,7 +99,7 @@ SecondLight drawLight(const UnlikeParams& params, Random random) {
 
 }  // namespace
 
-Venue drawUnlikeVenue(const UnlikeParams& params, std::uint64_t match) {
+Venue drawRandomisedVenue(const RandomisationParams& params, std::uint64_t match) {
   Venue venue;
   if (params.seed == 0) return venue;
   const auto stream = [&](Stream kind) { return streamOf(params, match, kVenue, kind); };
@@ -110,8 +111,9 @@ Venue drawUnlikeVenue(const UnlikeParams& params, std::uint64_t match) {
   return venue;
 }
 
-UnlikeRobot drawUnlikeRobot(const UnlikeParams& params, std::uint64_t match, std::size_t robot) {
-  UnlikeRobot drawn;
+RandomisedRobot drawRandomisedRobot(const RandomisationParams& params, std::uint64_t match,
+                                    std::size_t robot) {
+  RandomisedRobot drawn;
   const auto stream = [&](Stream kind) { return streamOf(params, match, robot, kind); };
   if (params.seed != 0) {
     if (params.body) drawn.body = drawBody(params, stream(Stream::body));
@@ -129,23 +131,24 @@ UnlikeRobot drawUnlikeRobot(const UnlikeParams& params, std::uint64_t match, std
   return drawn;
 }
 
-UnlikeWorld drawUnlike(const UnlikeParams& params, std::uint64_t match, std::size_t robots) {
-  UnlikeWorld world;
+RandomisedWorld drawRandomised(const RandomisationParams& params, std::uint64_t match,
+                               std::size_t robots) {
+  RandomisedWorld world;
   for (std::size_t i = 0; i < std::min(robots, kMaxRobots); ++i)
-    world.robots.push_back(drawUnlikeRobot(params, match, i));
-  world.venue = drawUnlikeVenue(params, match);
+    world.robots.push_back(drawRandomisedRobot(params, match, i));
+  world.venue = drawRandomisedVenue(params, match);
   return world;
 }
 
-std::vector<std::string> unlikeKinds() {
+std::vector<std::string> randomisedKinds() {
   std::vector<std::string> names;
   names.reserve(kKinds.size());
   for (const Kind& kind : kKinds) names.emplace_back(kind.name);
   return names;
 }
 
-UnlikeParams unlikeParams(std::uint64_t seed, const std::vector<std::string>& only) {
-  UnlikeParams params;
+RandomisationParams randomisationParams(std::uint64_t seed, const std::vector<std::string>& only) {
+  RandomisationParams params;
   params.seed = seed;
   for (const Kind& kind : kKinds)
     params.*kind.on = only.empty() || std::find(only.begin(), only.end(), kind.name) != only.end();

@@ -26,15 +26,15 @@ Expected<Json> figuresOf(const Part& part, Request request) {
 // The plain numbers only: bands and single trials are the parts' own affair.
 void addNumbers(const std::string& prefix, const Json& figures, Json& to) {
   for (const auto& [key, value] : figures.items())
-    if (value.is_number() && key != "trials" && key != "seed" && key != "unlike")
+    if (value.is_number() && key != "trials" && key != "seed" && key != "randomise")
       to[prefix + key] = value;
 }
 
-Expected<Json> unlike(const Request& request) {
+Expected<Json> randomised(const Request& request) {
   Request like = request;
-  like.unlike = {};
+  like.randomised = {};
   Request other = request;
-  if (other.unlike.seed == 0) other.unlike.seed = request.seed;
+  if (other.randomised.seed == 0) other.randomised.seed = request.seed;
   Json all;
   for (const Part& part : kParts) {
     const Expected<Json> before = figuresOf(part, like);
@@ -43,14 +43,14 @@ Expected<Json> unlike(const Request& request) {
     if (!after) return after;
     Json& both = all[part.name];
     addNumbers("", *before, both);
-    addNumbers("unlike_", *after, both);
+    addNumbers("randomised_", *after, both);
   }
   return all;
 }
 
-const Registration kUnlike(
-    "unlike", "objects, localise, kidnap and a goal in unlike worlds beside the like one",
-    {Option::trials, Option::seed, Option::unlike}, 40, unlike);
+const Registration kRandomised(
+    "randomised", "objects, localise, kidnap and a goal in unlike worlds beside the like one",
+    {Option::trials, Option::seed, Option::randomised}, 40, randomised);
 
 }  // namespace
 }  // namespace kelpie::experiments

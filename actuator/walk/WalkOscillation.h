@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a body moves to and fro in its walk, as numbers of that walk; what they mean is in Sway.h.
-// `kelpie calibrate walk` fits them.
+// How a body moves to and fro in its walk, as numbers of that walk; what they mean is in
+// BodyOscillation.h. `kelpie calibrate walk` fits them.
 #pragma once
 
 #include "robot/core/fields/Fields.h"
@@ -20,8 +20,9 @@ struct Wave {
 };
 
 // How one quantity differs, while the robot walks, from what its legs or its odometry say: by
-// stepping at all, and at the whole stroke ahead, aside and in a turn (Sway.h); rad or cm.
-struct SwayCurve {
+// stepping at all, and at the whole stroke ahead, aside and in a turn (BodyOscillation.h); rad or
+// cm.
+struct OscillationCurve {
   double step = 0.0;
   double forward = 0.0;
   double left = 0.0;
@@ -39,7 +40,7 @@ struct SwayCurve {
 
   template <int = 0>
   static constexpr auto fields() {
-    using P = SwayCurve;
+    using P = OscillationCurve;
     return fieldList(field("step", &P::step, "", -1, 1), field("forward", &P::forward, "", -1, 1),
                      field("left", &P::left, "", -1, 1), field("turn", &P::turn, "", -1, 1),
                      field("stepWave", &P::stepWave), field("forwardWave", &P::forwardWave),
@@ -49,17 +50,17 @@ struct SwayCurve {
   }
 };
 
-struct WalkSway {
-  SwayCurve tilt;
-  SwayCurve roll;
-  SwayCurve height;
-  SwayCurve forward;
-  SwayCurve left;
-  SwayCurve turn;
+struct WalkOscillation {
+  OscillationCurve tilt;
+  OscillationCurve roll;
+  OscillationCurve height;
+  OscillationCurve forward;
+  OscillationCurve left;
+  OscillationCurve turn;
 
   template <int = 0>
   static constexpr auto fields() {
-    using P = WalkSway;
+    using P = WalkOscillation;
     return fieldList(field("tilt", &P::tilt), field("roll", &P::roll), field("height", &P::height),
                      field("forward", &P::forward), field("left", &P::left),
                      field("turn", &P::turn));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/odometry/Sway.h"
+#include "actuator/odometry/BodyOscillation.h"
 
 #include <cmath>
 
@@ -12,7 +12,7 @@ double sum(const Wave& factor, const Wave& w) {
   return factor.cosine * w.cosine + factor.sine * w.sine;
 }
 
-double swayOf(const SwayCurve& c, const SwayCurve& f) {
+double oscillationOf(const OscillationCurve& c, const OscillationCurve& f) {
   return f.step * c.step + f.forward * c.forward + f.left * c.left + f.turn * c.turn +
          sum(f.stepWave, c.stepWave) + sum(f.forwardWave, c.forwardWave) +
          sum(f.leftWave, c.leftWave) + sum(f.turnWave, c.turnWave) +
@@ -31,23 +31,23 @@ struct StrideParts {
   maths::SinCos twice{};
 };
 
-StrideParts partsOf(const Stride& stride, const StrokeLimits& most) {
+StrideParts partsOf(const Stride& stride, const StrokeLimits& max) {
   const auto& [feet, phase] = stride;
   StrideParts parts;
   parts.on = phase.lift;
-  parts.forward = feet.forward / (feet.forward < 0.0 ? most.back : most.forward);
-  parts.left = feet.left / most.left;
-  parts.turn = feet.turn / most.turn;
+  parts.forward = feet.forward / (feet.forward < 0.0 ? max.back : max.forward);
+  parts.left = feet.left / max.left;
+  parts.turn = feet.turn / max.turn;
   parts.phase = phase.phase;
   parts.once = maths::sinCos(2.0 * maths::kPi * phase.phase);
   parts.twice = maths::sinCos(4.0 * maths::kPi * phase.phase);
   return parts;
 }
 
-SwayCurve factorsOf(const StrideParts& parts, SwaySide side) {
-  const bool same = side == SwaySide::same;
+OscillationCurve factorsOf(const StrideParts& parts, OscillationSymmetry side) {
+  const bool same = side == OscillationSymmetry::same;
   const auto& [on, forward, left, turn, phase, once, twice] = parts;
-  SwayCurve f;
+  OscillationCurve f;
   f.step = same ? on : 0.0;
   f.forward = same ? on * forward : 0.0;
   f.left = on * (same ? std::fabs(left) : left);
@@ -66,27 +66,29 @@ SwayCurve factorsOf(const StrideParts& parts, SwaySide side) {
 
 }  // namespace
 
-SwayCurve swayFactors(const Stride& stride, const StrokeLimits& most, SwaySide side) {
-  return factorsOf(partsOf(stride, most), side);
+OscillationCurve oscillationFactors(const Stride& stride, const StrokeLimits& max,
+                                    OscillationSymmetry side) {
+  return factorsOf(partsOf(stride, max), side);
 }
 
-Stance swaying(const Stance& legs, const Stride& stride, const WalkSet& set) {
+Stance oscillating(const Stance& legs, const Stride& stride, const WalkSet& set) {
   if (standing(stride.phase)) return legs;
-  const WalkSway& sway = set.sway;
-  const StrideParts parts = partsOf(stride, set.most);
-  const SwayCurve same = factorsOf(parts, SwaySide::same);
-  const SwayCurve opposite = factorsOf(parts, SwaySide::opposite);
-  return {legs.shoulderHeight + swayOf(sway.height, same),
-          legs.bodyTilt + Angle::rad(swayOf(sway.tilt, same)),
-          legs.bodyRoll + Angle::rad(swayOf(sway.roll, opposite))};
+  const WalkOscillation& oscillation = set.oscillation;
+  const StrideParts parts = partsOf(stride, set.max);
+  const OscillationCurve same = factorsOf(parts, OscillationSymmetry::same);
+  const OscillationCurve opposite = factorsOf(parts, OscillationSymmetry::opposite);
+  return {legs.shoulderHeight + oscillationOf(oscillation.height, same),
+          legs.bodyTilt + Angle::rad(oscillationOf(oscillation.tilt, same)),
+          legs.bodyRoll + Angle::rad(oscillationOf(oscillation.roll, opposite))};
 }
 
 Swing swing(const Stride& stride, const WalkSet& set) {
   if (standing(stride.phase)) return {};
-  const StrideParts parts = partsOf(stride, set.most);
-  const SwayCurve opposite = factorsOf(parts, SwaySide::opposite);
-  return {swayOf(set.sway.forward, factorsOf(parts, SwaySide::same)),
-          swayOf(set.sway.left, opposite), swayOf(set.sway.turn, opposite)};
+  const StrideParts parts = partsOf(stride, set.max);
+  const OscillationCurve opposite = factorsOf(parts, OscillationSymmetry::opposite);
+  return {oscillationOf(set.oscillation.forward, factorsOf(parts, OscillationSymmetry::same)),
+          oscillationOf(set.oscillation.left, opposite),
+          oscillationOf(set.oscillation.turn, opposite)};
 }
 
 }  // namespace kelpie::actuator

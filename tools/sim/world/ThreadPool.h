@@ -13,14 +13,14 @@
 
 namespace kelpie::sim {
 
-class Crew {
+class ThreadPool {
  public:
   using Piece = std::function<void(std::size_t)>;
 
-  explicit Crew(std::size_t threads);
-  ~Crew();  // waits for the pieces that are being worked on; the others are left
-  Crew(const Crew&) = delete;
-  Crew& operator=(const Crew&) = delete;
+  explicit ThreadPool(std::size_t threads);
+  ~ThreadPool();  // waits for the pieces that are being worked on; the others are left
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
 
   // Starts piece(i) for each i below `count`, in any order. The batch before must be finished.
   void begin(std::size_t count, Piece piece);
