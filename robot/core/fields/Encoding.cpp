@@ -13,18 +13,6 @@ bool isPlainNumber(const MemberType& type) {
   return type.kind == MemberKind::whole || type.kind == MemberKind::real;
 }
 
-class SizeCounter final : public MemberVisitor {
- public:
-  bool member(const FieldRow& row, const void* at) override {
-    size_ += encodedSize(*row.type, at);
-    return true;
-  }
-  std::size_t size() const { return size_; }
-
- private:
-  std::size_t size_ = 0;
-};
-
 std::size_t sequenceSize(const MemberType& type, const void* value) {
   const Items items = type.items(value);
   std::size_t size = type.kind == MemberKind::array ? 0 : kLengthBytes;
@@ -34,28 +22,32 @@ std::size_t sequenceSize(const MemberType& type, const void* value) {
   return size;
 }
 
-class WireWriter final : public MemberVisitor {
+class WireWriter {
  public:
   explicit WireWriter(std::uint8_t* at) : at_(at) {}
 
-  bool member(const FieldRow& row, const void* at) override {
-    put(*row.type, at);
-    return true;
-  }
+  // Structs are walked in this function itself, so that only one calls itself on the robot.
   void put(const MemberType& type, const void* value) {
-    switch (type.kind) {
-      case MemberKind::boolean: *at_++ = *static_cast<const bool*>(value) ? 1 : 0; return;
-      case MemberKind::angle: number(static_cast<const Angle*>(value)->rad()); return;
-      case MemberKind::time: number(static_cast<const TimeUs*>(value)->us); return;
-      case MemberKind::structure: type.visit(value, *this); return;
-      case MemberKind::array:
-      case MemberKind::vector:
-      case MemberKind::text: sequence(type, value); return;
-      default: bytes(value, type.size);
+    if (type.kind == MemberKind::structure) {
+      MemberPlaces at;
+      type.places(value, at);
+      for (std::size_t i = 0; i < type.rowCount; ++i) put(*type.rows[i].type, at[i]);
+    } else if (type.isSequence()) {
+      sequence(type, value);
+    } else {
+      scalar(type, value);
     }
   }
 
  private:
+  void scalar(const MemberType& type, const void* value) {
+    switch (type.kind) {
+      case MemberKind::boolean: *at_++ = *static_cast<const bool*>(value) ? 1 : 0; return;
+      case MemberKind::angle: number(static_cast<const Angle*>(value)->rad()); return;
+      case MemberKind::time: number(static_cast<const TimeUs*>(value)->us); return;
+      default: bytes(value, type.size);
+    }
+  }
   void sequence(const MemberType& type, const void* value) {
     const Items items = type.items(value);
     if (type.kind != MemberKind::array) number(static_cast<std::uint32_t>(items.count));
@@ -78,16 +70,12 @@ class WireWriter final : public MemberVisitor {
 };
 
 // Every get() returns false when the data do not fit; the reader is of no use after that. The
-// values that it writes belong to whoever decodes: members are shown as constants only because
-// writers are shown them by the same way.
-class WireReader final : public MemberVisitor {
+// values that it writes belong to whoever decodes: the places of members are of constants only
+// because writers have them by the same way.
+class WireReader {
  public:
   WireReader(const std::uint8_t* data, std::size_t size) : at_(data), left_(size) {}
   bool atEnd() const { return left_ == 0; }
-
-  bool member(const FieldRow& row, const void* at) override {
-    return get(*row.type, const_cast<void*>(at), row.min, row.max);
-  }
   // min and max: the range of the field, for enums.
   bool get(const MemberType& type, void* value, double min, double max) {
     switch (type.kind) {
@@ -95,7 +83,7 @@ class WireReader final : public MemberVisitor {
       case MemberKind::enumeration: return getEnum(type, value, min, max);
       case MemberKind::angle: return getAngle(*static_cast<Angle*>(value));
       case MemberKind::time: return bytes(&static_cast<TimeUs*>(value)->us, sizeof(std::int64_t));
-      case MemberKind::structure: return type.visit(value, *this);
+      case MemberKind::structure: return getMembers(type, value);
       case MemberKind::array:
       case MemberKind::vector:
       case MemberKind::text: return getSequence(type, value, min, max);
@@ -104,6 +92,15 @@ class WireReader final : public MemberVisitor {
   }
 
  private:
+  bool getMembers(const MemberType& type, void* value) {
+    MemberPlaces at;
+    type.places(value, at);
+    for (std::size_t i = 0; i < type.rowCount; ++i) {
+      const FieldRow& row = type.rows[i];
+      if (!get(*row.type, const_cast<void*>(at[i]), row.min, row.max)) return false;
+    }
+    return true;
+  }
   bool getBool(bool& value) {
     std::uint8_t byte = 0;
     if (!bytes(&byte, 1) || byte > 1) return false;
@@ -151,9 +148,11 @@ class WireReader final : public MemberVisitor {
 std::size_t encodedSize(const MemberType& type, const void* value) {
   if (type.isSequence()) return sequenceSize(type, value);
   if (type.kind != MemberKind::structure) return type.size;
-  SizeCounter counter;
-  type.visit(value, counter);
-  return counter.size();
+  MemberPlaces at;
+  type.places(value, at);
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < type.rowCount; ++i) size += encodedSize(*type.rows[i].type, at[i]);
+  return size;
 }
 
 void encodeTo(const MemberType& type, const void* value, std::uint8_t* at) {
@@ -168,7 +167,7 @@ void encode(const MemberType& type, const void* value, std::vector<std::uint8_t>
 
 bool decode(const MemberType& type, const std::uint8_t* data, std::size_t size, void* out) {
   WireReader reader(data, size);
-  return type.visit(out, reader) && reader.atEnd();
+  return reader.get(type, out, 0.0, 0.0) && reader.atEnd();
 }
 
 bool decodeScalar(const MemberType& type, const std::uint8_t* data, std::size_t size, double min,

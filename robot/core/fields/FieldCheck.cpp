@@ -84,33 +84,21 @@ bool sequenceDiffers(const MemberType& type, const void* a, const void* b, std::
   return false;
 }
 
-// Looks for the first member of one struct that is not as in another.
-class Comparison final : public MemberVisitor {
- public:
-  Comparison(const void* a, const void* b, std::string* path)
-      : a_(static_cast<const std::uint8_t*>(a)),
-        b_(static_cast<const std::uint8_t*>(b)),
-        path_(path) {}
-
-  bool member(const FieldRow& row, const void* at) override {
-    const auto offset = static_cast<const std::uint8_t*>(at) - a_;
-    if (!differs(*row.type, at, b_ + offset, path_)) return true;
-    prependName(row.name, path_);
-    return false;
+bool membersDiffer(const MemberType& type, const void* a, const void* b, std::string* path) {
+  MemberPlaces as, bs;
+  type.places(a, as);
+  type.places(b, bs);
+  for (std::size_t i = 0; i < type.rowCount; ++i) {
+    if (!differs(*type.rows[i].type, as[i], bs[i], path)) continue;
+    prependName(type.rows[i].name, path);
+    return true;
   }
-
- private:
-  const std::uint8_t* a_;
-  const std::uint8_t* b_;
-  std::string* path_;
-};
+  return false;
+}
 
 bool differs(const MemberType& type, const void* a, const void* b, std::string* path) {
   if (type.isSequence()) return sequenceDiffers(type, a, b, path);
-  if (type.kind == MemberKind::structure) {
-    Comparison comparison(a, b, path);
-    return !type.visit(a, comparison);
-  }
+  if (type.kind == MemberKind::structure) return membersDiffer(type, a, b, path);
   if (std::memcmp(a, b, type.size) == 0) return false;
   *path = ": " + scalarText(type, a) + " != " + scalarText(type, b);
   return true;
@@ -143,25 +131,21 @@ bool sequenceInRange(const FieldRow& row, const MemberType& type, const void* va
   return true;
 }
 
-class RangeCheck final : public MemberVisitor {
- public:
-  explicit RangeCheck(std::string* why) : why_(why) {}
-
-  bool member(const FieldRow& row, const void* at) override {
-    if (inRange(row, *row.type, at, why_)) return true;
-    prependName(row.name, why_);
+bool membersInRange(const MemberType& type, const void* value, std::string* why) {
+  MemberPlaces at;
+  type.places(value, at);
+  for (std::size_t i = 0; i < type.rowCount; ++i) {
+    if (inRange(type.rows[i], *type.rows[i].type, at[i], why)) continue;
+    prependName(type.rows[i].name, why);
     return false;
   }
-
- private:
-  std::string* why_;
-};
+  return true;
+}
 
 bool inRange(const FieldRow& row, const MemberType& type, const void* value, std::string* why) {
   if (type.isSequence()) return sequenceInRange(row, type, value, why);
   if (type.kind != MemberKind::structure) return scalarInRange(row, type, value, why);
-  RangeCheck check(why);
-  return type.visit(value, check);
+  return membersInRange(type, value, why);
 }
 
 }  // namespace
@@ -172,7 +156,12 @@ double numberOf(const MemberType& type, const void* value) {
     return type.size == 4 ? static_cast<double>(readAs<float>(value)) : readAs<double>(value);
   if (type.isSigned || type.kind == MemberKind::time)
     return static_cast<double>(signedAt(value, type.size));
-  return static_cast<double>(unsignedAt(value, type.size));
+  // By halves, since the SDK's compiler has no __floatundidf; the product is exact, the sum rounded
+  // once.
+  const std::uint64_t whole = unsignedAt(value, type.size);
+  constexpr double kHalf = 4294967296.0;
+  return static_cast<double>(static_cast<std::uint32_t>(whole >> 32)) * kHalf +
+         static_cast<double>(static_cast<std::uint32_t>(whole));
 }
 
 bool firstDifference(const MemberType& type, const void* a, const void* b, std::string* path) {

@@ -36,14 +36,10 @@ struct FieldRow {
   const MemberType* type;
 };
 
-// Is shown a struct's members in the order of the list, until it says false.
-class MemberVisitor {
- public:
-  virtual bool member(const FieldRow& row, const void* at) = 0;
-
- protected:
-  ~MemberVisitor() = default;
-};
+// Where the members of one struct are, in the order of its list. No visitor is called for each of
+// them: the robot's stack is counted on, and functions that call each other have no end to count.
+constexpr std::size_t kMaxMembers = 64;
+using MemberPlaces = std::array<const void*, kMaxMembers>;
 
 struct Items {
   const void* first;
@@ -70,7 +66,7 @@ struct MemberType {
   const char* ownName = nullptr;  // its typeName(), if it has one
   const FieldRow* rows = nullptr;
   std::size_t rowCount = 0;
-  bool (*visit)(const void* object, MemberVisitor& visitor) = nullptr;
+  void (*places)(const void* object, MemberPlaces& at) = nullptr;  // rowCount of them
 
   bool isSequence() const {
     return kind == MemberKind::array || kind == MemberKind::vector || kind == MemberKind::text;
@@ -95,12 +91,12 @@ inline constexpr auto kFieldRows = T::fields().apply([](const auto&... f) {
 });
 
 template <class T>
-bool visitMembers(const void* at, MemberVisitor& visitor) {
+void memberPlaces(const void* of, MemberPlaces& at) {
   static constexpr auto kFields = T::fields();
-  const T& object = *static_cast<const T*>(at);
-  const FieldRow* row = kFieldRows<T>.data();
-  return kFields.apply(
-      [&](const auto&... f) { return (visitor.member(*row++, &(object.*(f.member))) && ...); });
+  static_assert(kFieldRows<T>.size() <= kMaxMembers);
+  const T& object = *static_cast<const T*>(of);
+  const void** next = at.data();
+  kFields.apply([&](const auto&... f) { ((*next++ = &(object.*(f.member))), ...); });
 }
 
 template <class S>
@@ -144,7 +140,7 @@ constexpr void describeStruct(MemberType& type) {
   if constexpr (HasTypeName<T>::value) type.ownName = T::typeName();
   type.rows = kFieldRows<T>.data();
   type.rowCount = kFieldRows<T>.size();
-  type.visit = visitMembers<T>;
+  type.places = memberPlaces<T>;
 }
 
 template <class T>

@@ -125,31 +125,25 @@ std::string place(const std::string& path, std::size_t line) {
   return path + ':' + std::to_string(line);
 }
 
-// Lists the parameters of a struct and of those within.
-class Listing final : public MemberVisitor {
- public:
-  Listing(std::string section, std::vector<Parameter>& parameters)
-      : section_(std::move(section)), parameters_(parameters) {}
-
-  bool member(const FieldRow& row, const void* at) override {
-    if (row.type->kind == MemberKind::structure) {
-      Listing inner(section_ + '.' + row.name, parameters_);
-      return row.type->visit(at, inner);
-    }
-    parameters_.push_back(parameterOf(section_, row, const_cast<void*>(at)));
-    return true;
+// The parameters of a struct and of those within.
+void list(const std::string& section, const MemberType& type, void* params,
+          std::vector<Parameter>& parameters) {
+  MemberPlaces at;
+  type.places(params, at);
+  for (std::size_t i = 0; i < type.rowCount; ++i) {
+    const FieldRow& row = type.rows[i];
+    void* const value = const_cast<void*>(at[i]);
+    if (row.type->kind == MemberKind::structure)
+      list(section + '.' + row.name, *row.type, value, parameters);
+    else
+      parameters.push_back(parameterOf(section, row, value));
   }
-
- private:
-  std::string section_;
-  std::vector<Parameter>& parameters_;
-};
+}
 
 }  // namespace
 
 void ParameterSet::add(const std::string& section, const MemberType& type, void* params) {
-  Listing listing(section, parameters_);
-  type.visit(params, listing);
+  list(section, type, params, parameters_);
   sections_.push_back({section, &type, params});
 }
 
