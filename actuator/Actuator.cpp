@@ -132,7 +132,7 @@ void moveOn(const ActuatorParams& params, ActuatorState& state) {
   if (!advance(params.motions, state.target, state.motion)) endMotion(legsMoved, params, state);
 }
 
-// What is told to joints that stay as they were found: no walk, no odometry.
+// What is commanded of joints that stay as they were found: no walk, no odometry.
 void tickAsFound(ActuatorState& state) {
   state.ready = false;
   state.legGain = 1.0;
@@ -225,7 +225,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
                                params.feeling, state.feeling);
   if (walking(params, state)) recordLoad(feeling.load, state.odometry);
   const bool held = stepHeldBall(in, state.target, params.feeling.heldBall, state.heldBall);
-  // Told with the message that is sent as the one before it begins to be played.
+  // Reported with the message that is sent as the one before it begins to be played.
   const double gain = state.legGain;
   state.legGain = 0.0;
   state.walk.known = false;

@@ -9,7 +9,7 @@
 namespace kelpie::actuator {
 
 // Commands become movement this much later: two command vectors are in flight and the servos lag.
-// And how far what is told may be wrong, as variances that grow with the way.
+// And how far the odometry may be wrong, as variances that grow with the way.
 struct OdometryParams {
   std::uint32_t delayTicks = 10;
   double alongPerCm = 0.1;      // cm2 along the walking direction per cm walked

@@ -257,7 +257,7 @@ bool PythonHost::describe(PyObject* error, std::string& line, std::string& all) 
   return true;
 }
 
-// Each different error is told once per loaded version; the same place and kind of error
+// Each different error is reported once per loaded version; the same place and kind of error
 // with another message ("main.py:3: ValueError: 17") is the same error.
 void PythonHost::report(const std::string& line, const std::string& all) {
   lastError_ = line;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last lines that were told to people: of a script that went wrong, each different error once
-// (README.md), and what scripts print. Whoever reads them keeps how many it has read.
+// The last lines that were reported to people: of a script that went wrong, each different error
+// once (README.md), and what scripts print. Whoever reads them keeps how many it has read.
 #pragma once
 
 #include <array>

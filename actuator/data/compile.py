@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes the standard walks and motions as C++: compile.py WALKS MOTIONS OUT.cpp
 
-A walk's keys are those of WalkSet's fields, in the syntax of parameter files; a motion's are told
-in actuator/README.md. What is wrong in a file ends the build with `file: what`."""
+A walk's keys are those of WalkSet's fields, in the syntax of parameter files; a motion's are
+given in actuator/README.md. What is wrong in a file ends the build with `file: what`."""
 
 import re
 import sys

@@ -3,7 +3,7 @@
 // the duty less what the joint's speed gives back: the duty of the hardest joint is full in any
 // walk (physics.md section 5). A foot's force is what does the same work as its three joints.
 // Limits: what a leg's own weight and gears take counts as its foot's; a body that rests on its
-// forearms or belly pushes unseen. Near a straight leg the force along it is told too small.
+// forearms or belly pushes unseen. Near a straight leg the force along it is underestimated.
 #pragma once
 
 #include "robot/body/Legs.h"

@@ -90,7 +90,7 @@ struct FeelingParams {
   double weight = 0.162;          // of the robot over a joint's greatest torque, 1/cm: 16 N, 1 N m
   double lever = 10.0;            // cm from the middle to the feet, by which a turn counts
   double legLength = 10.0;        // cm, by which a push is a share of the rotators' currents
-  double minSpeed = 4.0;          // cm/s of the feet below which no load is told
+  double minSpeed = 4.0;          // cm/s of the feet below which no load is estimated
   std::uint32_t delayTicks = 10;  // from a command until the joints do it
   double stuckLoad = 0.038;       // load above which something holds the robot
   double freeLoad = 0.02;         // and below which it is free again

@@ -6,7 +6,7 @@
 namespace kelpie::actuator {
 namespace {
 
-constexpr double kUnknownSag = 10.0;  // deg; no ball is told by a neck that says nothing
+constexpr double kUnknownSag = 10.0;  // deg; a neck that says nothing shows no ball
 
 bool holdingPose(const JointAngles& commanded, const HeldBallParams& params) {
   return commanded[Joint::neckTilt] < params.neckBelow &&

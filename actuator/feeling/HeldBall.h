@@ -23,7 +23,7 @@ struct HeldBallState {
   std::uint32_t ticks = 0;              // in the pose without a break
 };
 
-// One message. `commanded`: where the joints were told to be in the last one.
+// One message. `commanded`: where the joints were commanded to be in the last one.
 bool stepHeldBall(const MotionInput& in, const JointAngles& commanded, const HeldBallParams& params,
                   HeldBallState& state);
 

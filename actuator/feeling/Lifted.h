@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether somebody has lifted the robot off the ground: all paws are free for longer than what the
-// legs do on the ground explains, and the accelerometer has told of a movement since the last paw.
+// legs do on the ground explains, and the accelerometer has measured a movement since the last paw.
 // What explains it differs: who stands, walks or has pressed a paw on the way up presses one soon
 // again; who gets up does so within a second; who lies presses none, but is still once it
 // has settled.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Special motions as data: key frames for head and legs. One for each MotionKind, from
-// actuator/data/motions/*.toml; the format is told there (README.md).
+// actuator/data/motions/*.toml; the format is described there (README.md).
 #pragma once
 
 #include <array>

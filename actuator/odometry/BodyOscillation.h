@@ -20,7 +20,7 @@ struct Stride {
 // opposite. So what comes once a step is of the turn and of what goes aside for the former, of the
 // step and of what goes ahead for the latter, and twice a step it is the other way round. A body at
 // full speed ahead turns to and fro once and three times a step: with the first alone a tick's turn
-// was told 0.44 deg wrong (rms over 32 ms) of 0.47 that there are, with both 0.28.
+// was estimated 0.44 deg wrong (rms over 32 ms) of 0.47 that there are, with both 0.28.
 enum class OscillationSymmetry : std::uint8_t { same, opposite };
 
 // Each number of OscillationCurve times this is summed.

@@ -17,7 +17,7 @@ struct Felt {
 };
 
 // Each number of AlongTerms or AcrossTerms times this is summed. `joints`: the speed that the
-// standing feet's joints say, in the direction that is told.
+// standing feet's joints say, in the direction that is estimated.
 AlongTerms alongFactors(const Velocity& feet, const Felt& felt, double joints);
 AcrossTerms leftFactors(const Velocity& feet, const Felt& felt, double joints);
 AcrossTerms turnFactors(const Velocity& feet, const Felt& felt, double joints);

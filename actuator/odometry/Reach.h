@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the legs swing of what they are told, by the speeds of their joints over about a step of
+// How far the legs swing of what is commanded, by the speeds of their joints over about a step of
 // walking. Servos with heavy gears swing further, weak ones less far, and the body goes with its
 // feet: of turns on varied models the reach of all joints explains nine tenths of what they differ
 // by, that of the front rotators alone half.
@@ -13,7 +13,7 @@
 
 namespace kelpie::actuator {
 
-// 0: as far as told; 0.1: a tenth further.
+// 0: as far as commanded; 0.1: a tenth further.
 struct Reach {
   SideReach left;
   SideReach right;
@@ -29,7 +29,7 @@ struct ReachState {
   LegPower done{};
 };
 
-// One tick: what the joints were told to move when they were told what they show now.
+// One tick: what the joints were commanded to move when what they show now was commanded.
 void stepReach(const LegPower& reported, bool walks, const JointAngles& joints, ReachState& state);
 
 Reach reachOf(const ReachState& state);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the way of a walk is told, as numbers of that walk: each is a share of one term of
+// How the way of a walk is estimated, as numbers of that walk: each is a share of one term of
 // OdometryTerms.h. `kelpie calibrate walk` fits them to walks on varied models.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace kelpie::actuator {
 
-// Shares of what the body feels, each times the feet's speed in the direction that is told.
+// Shares of what the body feels, each times the feet's speed in the direction that is estimated.
 struct FeltTerms {
   double load = 0.0;    // Feeling.h
   double change = 0.0;  // times the change of that speed in the last quarter of a second, alone

@@ -20,7 +20,7 @@ class Modules {
   Modules(const Modules&) = delete;
   Modules& operator=(const Modules&) = delete;
 
-  const std::string& name() const { return name_; }  // what an error without a place is told of
+  const std::string& name() const { return name_; }  // what an error without a place names
   std::vector<std::string> searchPaths() const;      // where the interpreter finds `encodings`
 
   // Each is null, with a Python error set, on failure.

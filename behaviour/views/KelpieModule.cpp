@@ -99,7 +99,7 @@ std::string valueText(const T& value, const char* unit) {
   }
 }
 
-// The shipped fields, so that tests of behaviours play on what the robot is told.
+// The shipped fields, so that tests of behaviours play on what the robot knows.
 std::string fieldsText() {
   std::string text = "\n\nFIELDS = {\n";
   for (const char* name : {"2006", "osaka2005", "2004"})

@@ -15,7 +15,7 @@ class Watchdog {
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
-  static void listen();  // once, when the guard has told Python what to make of the signal
+  static void listen();  // once, when the guard has instructed Python what to make of the signal
 };
 
 }  // namespace kelpie::behaviour

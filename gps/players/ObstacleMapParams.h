@@ -13,12 +13,12 @@ struct ObstacleMapParams {
   double maxCount = 100.0;       // of one cell
   double minReach = 12.0;        // cm; nearer points are of the own body
   double maxReach = 250.0;       // cm; farther points are not mapped
-  double maxPositionSd = 50.0;   // cm of the own place; with more nothing is mapped or told
+  double maxPositionSd = 50.0;   // cm of the own place; with more nothing is mapped or sent
   Angle maxHeadingSd = Angle::deg(20.0);
   double clearReach = 150.0;  // cm; carpet seen nearer than this empties its cell
   double clearShare = 0.8;    // of a cell's points that carpet seen in it leaves
   double robotCount = 2.0;    // points of a robot seen: its white body gives none
-  double tellCount = 5.0;     // a cell with less is not told to the team
+  double tellCount = 5.0;     // a cell with less is not sent to the team
 
   template <int = 0>
   static constexpr auto fields() {

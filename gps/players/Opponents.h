@@ -2,7 +2,7 @@
 // The four opponents, each a Gaussian over its place on the field in information form (thesis 2004
 // section 2.3). A sighting goes to one filter only, chosen by the angle: updating all of them made
 // all four come together on the one robot in sight. What a team mate saw is added as information.
-// Fails when two opponents cross unseen (they are not told apart), and with a wrong own pose.
+// Fails when two opponents cross unseen (they are not distinguished), and with a wrong own pose.
 #pragma once
 
 #include "gps/GpsIn.h"

@@ -16,7 +16,7 @@ Angle directionOfStep(const Pose2& pose, const Odometry& odometry) {
   return Angle::rad(pose.heading.rad() + 0.5 * odometry.turn.rad());
 }
 
-// Told at all, and what one frame of walking or kicking can be wrong by.
+// Estimated at all, and what one frame of walking or kicking can be wrong by.
 bool likely(const OdometryVariance& reported) {
   constexpr double kMaxSquare = 100.0;  // cm2
   constexpr double kMaxTurn = 0.1;      // rad2

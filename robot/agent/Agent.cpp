@@ -26,7 +26,7 @@ Vector& vectorOf(const ONotifyEvent& event) {
   return *static_cast<Vector*>(const_cast<void*>(event.Data(0)));
 }
 
-// How many did not open; each is told.
+// How many did not open; each is reported.
 template <std::size_t N>
 std::size_t openAll(const std::array<const char*, N>& locators, std::array<OPrimitiveID, N>& ids) {
   std::size_t lacking = 0;
@@ -163,7 +163,7 @@ void Agent::setPower(bool on) {
   sent_ = taken_ = false;
 }
 
-// Told only when it changes. No gain comes before a target has been taken.
+// Sent only when it changes. No gain comes before a target has been taken.
 void Agent::setGain(std::size_t joint, double strength, body::LegGain legs) {
   SentGain& now = gains_[joint];
   const OPrimitiveID id = ids_.joints[joint];

@@ -54,10 +54,10 @@ class Agent : public OObject {
   // Two in flight and one to fill.
   static constexpr std::size_t kVectors = 3;
 
-  // What a joint was told last.
+  // What was sent to a joint last.
   struct SentGain {
     bool on = false;
-    bool refused = false;  // which is told once
+    bool refused = false;  // which is reported once
     body::JointGain gain{};
   };
 

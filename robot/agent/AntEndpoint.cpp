@@ -24,7 +24,7 @@ void AntEndpoint::begin(const AntOwner& owner, TimeUs now) {
 void AntEndpoint::tick(TimeUs now) {
   now_ = now;
   const bool late = waits() && (now - askedAt_).seconds() > params_.answerSeconds;
-  // Why it closes was told when it began to.
+  // Why it closes was reported when it began to.
   if (late && state_ == State::closing) {
     state_ = State::closed;
   } else if (late) {

@@ -38,7 +38,7 @@ struct AntEndpointParams {
   double answerSeconds = 1.0;  // none for so long, but to a Receive: the network is gone
 };
 
-// What was heard lies in the endpoint until it is told to listen again.
+// What was heard lies in the endpoint until it is made to listen again.
 struct Heard {
   const byte* bytes = nullptr;
   std::size_t size = 0;

@@ -96,7 +96,7 @@ struct LegGain {
 // With a share of its proportional gain: whole numbers, and never none, since a joint without gain
 // is not held at all.
 JointGain withShare(JointGain gain, double share);
-// What a joint is told; but for legs its standard gain.
+// What is commanded of a joint; but for legs its standard gain.
 JointGain gainOf(Joint joint, LegGain legs);
 // Mean of the leg joints' proportional gain over the standard one: 0.55 where it is low.
 double meanOf(LegGain legs);

@@ -22,7 +22,7 @@
 //   the head, white  a light, an ear or a sensor does not open; the system's log names it
 //   a fault, 14      a joint or the camera does not open, so that it cannot play
 //
-// The other lights are the behaviours' to use. Which light has which colour is told by Tekkotsu's
+// The other lights are the behaviours' to use. Which light has which colour is stated in Tekkotsu's
 // ERS7Info.h. Ready to penalised have the colours that the league's rules came to have; that
 // initial shows none and finished white is chosen, so that no two are alike.
 #pragma once

@@ -7,8 +7,8 @@
 //   the head for 3 s          -> initial, while it is still held
 //
 // A press counts when it ends, after at least 0.1 s and before it became one of the long ones.
-// Finished and the scores are not told by buttons. A hand that lifts a robot by its back presses it
-// too: `backAdvances` off leaves the advance to the head alone, as the rule book has it.
+// Finished and the scores are not given by buttons. A hand that lifts a robot by its back presses
+// it too: `backAdvances` off leaves the advance to the head alone, as the rule book has it.
 #pragma once
 
 #include "robot/core/types/FrameInput.h"

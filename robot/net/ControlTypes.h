@@ -62,8 +62,8 @@ struct GameControlData {
   TeamColour dropInTeam = TeamColour::blue;
   std::uint32_t dropInSeconds = kNoDropIn;
   std::array<ControlTeam, 2> teams;
-  // False: told were not one blue and one red team, so that the first is blue here and the second
-  // red. Who knows its team's number knows better.
+  // False: announced were not one blue and one red team, so that the first is blue here and the
+  // second red. Who knows its team's number knows better.
   bool coloursGiven = true;
 
   template <int = 0>

@@ -15,7 +15,7 @@ bool has(const ControlTeam& team, int number) {
   return number >= 0 && team.number == static_cast<std::uint32_t>(number);
 }
 
-// Where no colours were told the number says which team is the robot's.
+// Where no colours were given the number says which team is the robot's.
 void setColoursByNumber(TeamColour team, int number, GameControlData& control) {
   if (control.coloursGiven) return;
   const std::size_t own = control.teams[0].colour == team ? 0 : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The match as one robot is told it: by the game controller's packets, and where none has come for
+// The match as one robot knows it: by the game controller's packets, and where none has come for
 // long by its buttons. What changes nothing is counted by its reason. While the controller is heard
 // buttons have no effect; when it falls silent the last state holds, and buttons go on from there;
 // the next packet rules again. Before the first packet the state is `initial`, as of a robot that

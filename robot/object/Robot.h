@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the OPEN-R object of a robot is made of: the configuration, and the loops, which are made
-// when the stick has been read and not by a static constructor: what goes wrong there can be told
-// to nobody (openr.md 5.1).
+// when the stick has been read and not by a static constructor: what goes wrong there can be
+// reported to nobody (openr.md 5.1).
 #pragma once
 
 #include <memory>
@@ -68,7 +68,7 @@ class LateLoops : public agent::Loops {
 
   Surroundings storage_;
   agent::FaultLoops fault_;
-  agent::PowerReport power_;  // told last; the loops that come later need it
+  agent::PowerReport power_;  // reported last; the loops that come later need it
   agent::Loops* at_ = &fault_;
 };
 

@@ -24,7 +24,7 @@ namespace kelpie::stick {
 struct ReadProgress {
   std::uint32_t reads = 0;  // of StickFiles
   std::uint32_t bytes = 0;  // that they gave
-  std::uint32_t whole = 0;  // bytes of all files together; 0 until STICK.BIN has told
+  std::uint32_t whole = 0;  // bytes of all files together; 0 until STICK.BIN has said it
 };
 
 class StickReader {

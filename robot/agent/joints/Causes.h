@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Why a robot must not play, and what that demands of it: each cause by itself, since one that ends
 // must not end another. A cause that is over counts on for a while: a battery recovers as soon as
-// the robot lies, and would have it rise and fall in turn. Of those that count the gravest is told.
-// The pause switch switches the robot off once it has been held without a break for so long.
-// Fails where the switch's bit flickers while a hand holds it: the robot then only lies.
+// the robot lies, and would have it rise and fall in turn. Of those that count the gravest is
+// reported. The pause switch switches the robot off once it has been held without a break for so
+// long. Fails where the switch's bit flickers while a hand holds it: the robot then only lies.
 #pragma once
 
 #include <array>

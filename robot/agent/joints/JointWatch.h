@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a joint that is held does not go where it was told: a broken gear, or something that
-// blocks it for longer than a scrum does. Compares what is sensed with what was told
+// Whether a joint that is held does not go where it was commanded: a broken gear, or something that
+// blocks it for longer than a scrum does. Compares what is sensed with what was commanded
 // `delayMessages` before. Fails where all of a joint's way is short.
 #pragma once
 
@@ -26,8 +26,8 @@ struct JointWatchState {
   std::optional<Joint> stuck;               // until no joint is held any more
 };
 
-// Before the targets of this message are told. The joint that has been apart for so long; it counts
-// as stuck until all joints are limp, wherever the robot lies down meanwhile.
+// Before the targets of this message are commanded. The joint that has been apart for so long; it
+// counts as stuck until all joints are limp, wherever the robot lies down meanwhile.
 std::optional<Joint> step(const MotionInput& in, const JointWatchParams& params,
                           JointWatchState& state);
 void reported(const JointAngles& targets, JointWatchState& state);

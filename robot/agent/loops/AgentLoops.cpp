@@ -46,7 +46,7 @@ Cause AgentLoops::causeNow(const MotionInput& in) {
   return step(CausesIn{in.time, power_, stuck, blind}, CausesParams{}, causes_);
 }
 
-// A person has asked for play who has told of a match, by radio or by a button, or who drives.
+// A person who announces a match, by radio or by a button, or who drives, has asked for play.
 void AgentLoops::decideMotors(const MotionInput& in) {
   MotorsIn motors;
   motors.time = in.time;

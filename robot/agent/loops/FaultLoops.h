@@ -29,7 +29,7 @@ class FaultLoops : public Loops {
   std::uint32_t shown_ = 0;
   PowerReport power_;
   CausesState causes_;
-  MotorsOut motors_{Rest::none, Rest::none, {}, false};  // no power; the fault is told already
+  MotorsOut motors_{Rest::none, Rest::none, {}, false};  // no power; the fault is reported already
   MotionOutput output_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Told when a stage begins and ends, so that a bench can count what each stage costs. The loops do
-// not read a clock themselves.
+// Called when a stage begins and ends, so that a bench can count what each stage costs. The loops
+// do not read a clock themselves.
 #pragma once
 
 #include <array>

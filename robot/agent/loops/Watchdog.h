@@ -18,7 +18,7 @@ struct WatchdogInput {
 
 struct WatchdogState {
   bool began = false;
-  TimeUs last;  // when the last image was told, or the first step was
+  TimeUs last;  // when the last image was reported, or the first step was
 };
 
 inline bool step(const WatchdogInput& in, const WatchdogParams& params, WatchdogState& state) {

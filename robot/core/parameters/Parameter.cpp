@@ -55,7 +55,7 @@ std::optional<double> factor(const std::string& kept, const std::string& written
   return writtenTime / keptTime;
 }
 
-// How people are told to write it.
+// How people are asked to write it.
 std::string shownUnit(const Parameter& parameter) {
   const std::string kept = keptUnit(parameter);
   if (parameter.kind == Kind::time) return "s or ms";

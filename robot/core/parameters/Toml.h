@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // TOML files of any content, by toml++ without exceptions. Host only. Its parser takes two kinds of
 // wrong files for impossible: those at which it would end the program by an assertion ("[[[a]") are
-// told by the code behind the assertions, which are off; letters beyond ASCII where a key or number
-// may stand, for which the compiler is promised that they do not come, are told here.
+// reported by the code behind the assertions, which are off; letters beyond ASCII where a key or
+// number may stand, for which the compiler is promised that they do not come, are reported here.
 #pragma once
 
 #include <string>

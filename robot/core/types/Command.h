@@ -130,7 +130,7 @@ struct Command {
   PinkUse pinks = PinkUse::off;
   TeamNote team;  // for the next message to the team
   Fallback fallback = Fallback::none;
-  Trace trace;  // why all this; empty in what is told again (FrameInput, MotionInput)
+  Trace trace;  // why all this; empty where it is repeated (FrameInput, MotionInput)
 
   template <int = 0>
   static constexpr auto fields() {

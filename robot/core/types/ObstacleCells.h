@@ -15,7 +15,7 @@ constexpr std::size_t kObstacleCells = 128;
 struct ObstacleCell {
   Point2<Field> position;  // its middle
   double own = 0.0;        // points that its own camera saw
-  double heard = 0.0;      // points that a teammate told
+  double heard = 0.0;      // points that a teammate reported
 
   template <int = 0>
   static constexpr auto fields() {

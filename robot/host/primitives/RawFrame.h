@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the robot's joints and sensors count, in OPEN-R's units and in the robot's own signs, which
-// are not Kelpie's everywhere. A world tells sensors in it and is told targets in it, so that what
+// are not Kelpie's everywhere. A world sends sensors in it and receives targets in it, so that what
 // the agent makes of a raw number is put to the test with every message (docs/robot-contract.md has
 // each sign and its source). This file turns a world's frames into what the robot would tell; the
 // agent's way back is its own (robot/agent/AgentIo) and shares no sign with it.
@@ -41,7 +41,7 @@ struct RawSensors {
 // becomes the least number.
 RawSensors rawOf(const SensorFrame& frame);
 RawJoints rawOf(const JointAngles& angles);
-// Where the joints go that are told so.
+// Where the joints go that are commanded so.
 JointAngles anglesOf(const RawJoints& raw);
 
 }  // namespace kelpie::host

@@ -74,9 +74,9 @@ class RobotPrimitives : public openr::System {
   OStatus unobservePower(const OServiceEntry& entry) override;
 
  protected:
-  // A message to whoever observes the power when it differs from what was told last. The current
-  // counts as well, and comes with every step: more often than on the robot, which tells it with
-  // what was asked for (openr-measured.md 2).
+  // A message to whoever observes the power when it differs from what was reported last. The
+  // current counts as well, and comes with every step: more often than on the robot, which reports
+  // it with what was asked for (openr-measured.md 2).
   void tellPower();
 
  private:
