@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A condition over time: a gap that is short does not end it, and it counts for so long only. Keeps
-# when it began and when it held last, from what it is told in each frame. Told late, it takes the
-# frames between for a gap.
+# when it began and when it held last, from what it is given in each frame. Called late, it takes
+# the frames between for a gap.
 import math
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Which role a forward plays (thesis 2006 section 4.4, algorithms 4.5 and 4.6): attacker, else
-# defender, else striker, from its own time to the ball and what its mates told. Every forward
+# defender, else striker, from its own time to the ball and what its mates sent. Every forward
 # decides for itself; goalies take no part, and who was silent for 1.5 s is out. RoleChoice keeps
 # the role, why, and when it last knew of an attacker. It fails where messages do: two attackers, or
 # none, last as long as a message is late.
@@ -14,13 +14,13 @@ from situation import time_to
 SEES_S = 0.5         # s; facts-2005 section 7.1: "lost" for a ball that vision sees no more
 TIE_S = 0.06         # s; times that alike are a tie (symmetry break of facts-2005 section 7.1)
 # s without an attacker in which the quickest alone takes the ball: who gave it up, and a third who
-# saw that, wait until it has told. Else a far robot attacks for 0.1 s at each change.
+# saw that, wait until it has said so. Else a far robot attacks for 0.1 s at each change.
 HAND_OVER_S = 0.5
 # Ours: a mate takes the ball over when it has been quicker for so long, and who attacks gives it up
-# when the mate has told so: of a match 1.7 % had no attacker while it was only expected to.
+# when the mate has said so: of a match 1.7 % had no attacker while it was only expected to.
 CHALLENGE_S = 0.15
 HOME_S = 1.0         # [0.5, 2] bonus of the defender of the last frame (facts-2005 section 7.1)
-EVERY_FRAMES = 3     # a tenth of a second: the team is told at 6 Hz
+EVERY_FRAMES = 3     # a tenth of a second: the team is informed at 6 Hz
 NAMES = kelpie.ROLE_NAMES
 BEHIND = 3           # goals
 
@@ -102,11 +102,11 @@ class RoleChoice:
     def __init__(self):
         self.role = kelpie.ATTACKER   # whoever is alone attacks
         self.why = ('there is no attacker',)
-        self.seconds = time_to.NEVER_S  # to the ball, as the team is told
+        self.seconds = time_to.NEVER_S  # to the ball, as the team hears it
         self.frames = 0               # since the last choice
         self.attacker_s = -math.inf   # when somebody attacked last
         self.quicker_s = None         # since when it is quicker than who attacks
-        self.heard = []               # who attacks, as the team told last
+        self.heard = []               # who attacks, as the team said last
 
     def update(self, world, memory, bound=False) -> int:
         """The role, chosen every third frame. `bound`: it attacks and may not be interrupted."""

@@ -141,8 +141,8 @@ def chance_of_goal(pose, ball, outcome, field, gap=None, blocked=(), heading_sd=
 
 
 def _chance_over_line(outcome, sd, to_line, heading, between) -> float:
-    """That a ball goes between two directions, told from the mean one, and rolls as far as the line
-    is in each; heading: the mean one on the field."""
+    """That a ball goes between two directions, given from the mean one, and rolls as far as the
+    line is in each; heading: the mean one on the field."""
     start, end = between
     count = math.ceil((end - start) / SLICE)
     step = (end - start) / count
@@ -191,7 +191,7 @@ def _mean(weighted) -> Outcome:
 
 
 def _measured(cell, side) -> Outcome:
-    """As the map has it, where a chance is in percent and falls are told too."""
+    """As the map has it, where a chance is in percent and falls are given too."""
     return 0.01 * cell[0], side * cell[1], cell[2], cell[3], cell[4]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Curved ways round others, by what stands on the field: an arc from here to there is told by its
+# Curved ways round others, by what stands on the field: an arc from here to there is given by its
 # bend, the degrees by which it begins left of the straight line. Keeps nothing. An arc is taken for
 # a parabola, 2 % of its length off at 60 deg. Everybody is taken to stand still.
 import math

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Where at the body a ball lies that the camera sees badly or not at all, as three regions of the
 # robot frame, and for how long it lies between the own paws, where a referee takes it for held
-# (docs/physical-body.md). Told by the infrared of the chest, which reads nearer than the carpet
+# (docs/physical-body.md). Known by the infrared of the chest, which reads nearer than the carpet
 # before it or, of a ball that touches it, farther; by the own belief; and by where mates see the
 # ball. Of the goalies' frames with a ball there for 0.8 to 2.5 s (twenty matches) the infrared
 # tells 75 %, belief or mates 84 %, any of the three 94 %; of those with it elsewhere 0.5, 0.4 and
@@ -49,8 +49,8 @@ class BallBetweenPaws:
         self.for_s = 0.0           # s for which it has been there
 
     def update(self, world, reported) -> None:
-        """One frame; `told`: where mates see a ball that the robot has lost, (x, y) on the field,
-        or None."""
+        """One frame; `reported`: where mates see a ball that the robot has lost, (x, y) on the
+        field, or None."""
         if world.motion.running != kelpie.NO_MOTION:
             self.moved_s = world.time_s
             return self.end()

@@ -2,7 +2,7 @@
 # What a goalie knows in a frame, worked out once and before anything is decided: the world as it
 # believes it, the ball at its body, who is near, a shot, how it faces, where mates see a ball that
 # it has lost, and what its last motion moved. Keeps what each of these remembers. Changed by
-# update() and what it is told by motion_ended() and the like alone. It is as wrong as the pose.
+# update() and what it learns by motion_ended() and the like alone. It is as wrong as the pose.
 import math
 
 from arbiter.lasting import Lasting

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The head's infrared as a yes or no: is something nearer than the carpet that it reads in the
 # stance with a held ball (thesis 2006 section 6.4.4)? The threshold is 0.8 of what it reads of the
-# bare carpet; other robots' sensors are told by a line through two of them. Calibration keeps sums
+# bare carpet; another robot's sensor is converted by a fitted straight line. Calibration keeps sums
 # of its readings; nothing else is kept.
 
 SHARE = 0.8        # of the mean over bare carpet

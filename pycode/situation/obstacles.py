@@ -24,8 +24,8 @@ Counted = tuple[float, float, float]  # x and y in cm on the field, count
 
 
 def points_of(world, own=True, heard=True, landmarks=True) -> list[Counted]:
-    """All that stands on the field as far as this robot saw it, a teammate told it, or the field's
-    description says it."""
+    """All that stands on the field as far as this robot saw it, a teammate reported it, or the
+    field's description says it."""
     points = [(cell.position.x, cell.position.y,
                (cell.own if own else 0.0) + (cell.heard if heard else 0.0))
               for cell in world.obstacles]

@@ -2,7 +2,7 @@
 # Where somebody else is at the ball or at the own body, in the four senses that a player acts on:
 # at a ball (a kick would leave it there), having it (it is theirs for now), at hand (who turns
 # sweeps the ball in), and a mate that grabs it. Keeps nothing. Opponents that nobody has seen
-# lately are not there; whoever no uniform shows is told by its feet alone.
+# lately are not there; whoever no uniform shows is recognised by its feet alone.
 import math
 
 import kelpie

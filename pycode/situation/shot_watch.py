@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Whether a shot is to be stopped with the body, and by which block (thesis 2006 section 4.3.1,
-# checklist G14). Keeps in how many frames in a row the ball filter told of a shot: it is believed
+# checklist G14). Keeps in how many frames in a row the ball filter reported a shot: it is believed
 # only then, since a false block costs 1.5 s on the ground. It fails against a shot that the filter
 # tells of too late.
 import kelpie

@@ -27,7 +27,7 @@ FRESH_S = 1.0            # s; an older ball of the team is not gone for
 LATER_S = 0.4            # s by which a mate saw it later than the robot itself
 OFF = 15.0               # cm beyond the lines; a ball farther off is one of a wrong pose: by one
                          # 38 cm behind the goal a goalie went the wrong way
-APPROACH = 40.0          # cm, of a grab that is told
+APPROACH = 40.0          # cm, of a grab that is reported
 
 
 def seconds(distance, lateral=0.0, obstacles=0.0, stuck=False) -> float:
@@ -106,8 +106,8 @@ def unsure(lost_frames) -> float:
 
 
 def to_ball(world, lost_frames, attacked, grabs) -> float:
-    """The time to the ball that the team is told. `attacked`: attacker in the last frame; `grabs`:
-    about to grab the ball, or holding it."""
+    """The time to the ball that is sent to the team. `attacked`: attacker in the last frame;
+    `grabs`: about to grab the ball, or holding it."""
     ball = ball_of(world, lost_frames)
     if ball is None:
         return NEVER_S
@@ -116,7 +116,7 @@ def to_ball(world, lost_frames, attacked, grabs) -> float:
 
 
 def grabs_now(world, memory) -> int:
-    """What the team is told of a grab: HOLDS while the body feels the ball in one, SOON while one
+    """What the team hears of a grab: HOLDS while the body feels the ball in one, SOON while one
     has begun or is approached within its last 40 cm."""
     if memory.grab_lost <= 1:
         return kelpie.HOLDS if world.motion.feeling.ball_held else kelpie.GRABS_SOON

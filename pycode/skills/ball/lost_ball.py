@@ -54,7 +54,7 @@ class Situation:
         self.blocking = blocking        # a block runs
         self.believed = believed        # gps has an estimate of the ball that no image refuted
         self.distance = distance        # to it
-        self.left = left                # a skill told that it went away
+        self.left = left                # a skill reported that it went away
         self.backed = backed            # frames that it stepped back
         self.scanned = scanned          # frames that it scanned
         self.reach = reach              # deg of the pan that a scan would cover

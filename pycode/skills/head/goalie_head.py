@@ -2,7 +2,7 @@
 # The goalie's head (thesis 2006 section 4.3.1): always on the ball; back to it at once when it is
 # lost, by where it is believed, then by a point scan; now and then a glance at the landmark seen
 # longest ago, and a survey of all when there is none. Keeps the state and when it last glanced. It
-# looks away only when it is told that it may and the ball is far and does not come, so a goalie in
+# looks away only when it is allowed to and the ball is far and does not come, so a goalie in
 # a long scrum does not localise.
 import math
 
@@ -47,7 +47,7 @@ def side_of(x) -> float:
 
 
 class Hints:
-    """What a goalie's head is told of the pose, and of the ball by mates: nothing."""
+    """What a goalie's head knows of the pose, and of the ball by mates: nothing."""
     reported = None            # where mates see a ball that the goalie has lost
     pose_lost = False      # a survey now, unless a ball comes
     gave_in_s = -math.inf  # when a jump of the pose was believed: a survey once the ball is far

@@ -2,8 +2,8 @@
 # What an attacker does while the ball is in its own goal's box, which only the goalie may enter
 # (thesis 2006 section 4.3.2, algorithm 4.3): far from the ball nothing; beside the box it walks to
 # the nearest front corner; before it, to a side of the ball, so that the goalie's way to clear is
-# free. Keeps nothing but the branch it told. All walking bends around the box, by a pose that must
-# be right to within what is kept free; other robots it does not see.
+# free. Keeps nothing but the branch it reported. All walking bends around the box, by a pose that
+# must be right to within what is kept free; other robots it does not see.
 import math
 
 import kelpie

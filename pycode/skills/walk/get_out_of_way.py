@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Makes room for a mate that holds the ball: it turns and may shoot anywhere near the goal's
 # direction. 60 cm off the first 250 cm of its line to the goal and 60 cm from itself (facts-2005
-# section 7.2), and some frames longer than it is told so, as a shot follows. Keeps those frames.
+# section 7.2), and some frames longer than that is demanded, as a shot follows. Keeps those frames.
 import kelpie
 from skills.walk.avoid_attacker import AvoidAttacker
 
