@@ -183,7 +183,7 @@ TEST(Odometry, TellsTheRealSpeedWhateverTheFeetDo) {
   EXPECT_NEAR(w.state.walk.feet.forward, 12.0, 1e-9);
 }
 
-// The joints of this walker do what they are told at once.
+// The joints of this walker do what is commanded at once.
 TEST(Odometry, OfTheStandingFeetsJointsIsTheSpeedOfTheFeet) {
   ActuatorParams params = exactWalks();
   WalkOdometry& reported = params.walks.normal.odometry;

@@ -62,7 +62,7 @@ TEST(Effort, StaysBetweenNoneAndFullWhateverTheSensorsSay) {
   }
 }
 
-TEST(Effort, IsToldWhileWalkingOnly) {
+TEST(Effort, IsReportedWhileWalkingOnly) {
   Walker walker;
   walker.standUp();
   for (SensorFrame& tick : walker.input.sensors) tick.duty[kSomeKnee] = 0.5;
@@ -147,7 +147,7 @@ KeyFrame staysFor(std::uint32_t ticks, double gain) {
   return key;
 }
 
-TEST(MotionGain, IsToldAsTheTicksThatWantItBeginToBePlayed) {
+TEST(MotionGain, IsReportedAsTheTicksThatWantItBeginToBePlayed) {
   const std::vector<double> reported{1.0, 0.4, 0.4, 0.7, 1.0, 1.0, 1.0, 1.0};
   EXPECT_EQ(gainsSent({staysFor(8, 0.4), staysFor(4, 0.7)}), reported);
 }

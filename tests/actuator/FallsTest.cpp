@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which side the robot is told to lie on. Rest poses are those of the physical body (physics.md
+// Which side the robot is reported to lie on. Rest poses are those of the physical body (physics.md
 // section 6), samples of a walk those of its section 5.
 #include <gtest/gtest.h>
 

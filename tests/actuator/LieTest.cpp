@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the legs are told while the robot rests (tests/learn/LieTest.cpp plays it).
+// What is commanded of the legs while the robot rests (tests/learn/LieTest.cpp plays it).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,8 +89,8 @@ TEST(Lie, TellsWhenItHasLainDown) {
   EXPECT_TRUE(walker.out.status.lying);
 }
 
-// A joint with a gain stays where it was told to be, one without follows what is sensed.
-TEST(AsFound, JointsThatAreNotHeldAreToldWhereTheyAre) {
+// A joint with a gain stays where it was commanded to be, one without follows what is sensed.
+TEST(AsFound, JointsThatAreNotHeldAreCommandedToWhereTheyAre) {
   Walker walker;
   run(walker, Command{}, Rest::none, 100);
   const JointAngles stood = last(walker);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the legs swing of what they are told, and what turns and side steps make of it.
+// How far the legs swing of what is commanded, and what turns and side steps make of it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace kelpie::actuator {
 namespace {
 
-// Every joint of the legs swings as a sine; those of `wide` a tenth further than they are told.
+// Every joint of the legs swings as a sine; those of `wide` a tenth further than commanded.
 ReachState swinging(const std::array<double, kJointCount>& wide) {
   ReachState state;
   JointAngles reported;
@@ -27,7 +27,7 @@ ReachState swinging(const std::array<double, kJointCount>& wide) {
   return state;
 }
 
-TEST(Reach, SaysWhichJointSwingsFurtherThanTold) {
+TEST(Reach, SaysWhichJointSwingsFurtherThanCommanded) {
   std::array<double, kJointCount> wide{};
   wide[index(Joint::leftFrontRotator)] = 0.1;
   wide[index(Joint::rightHindKnee)] = -0.1;

@@ -54,7 +54,7 @@ TEST(FrameMessages, WholeInputIsReadAsItIs) {
   EXPECT_EQ(input->image.y, frame->image.y);
 }
 
-TEST(FrameMessages, DamagedPlaneIsToldWithTopicAndPlaces) {
+TEST(FrameMessages, DamagedPlaneIsReportedWithTopicAndPlaces) {
   const auto frame = std::make_unique<PlaneFrame>();
   encodePlane({}, frame->plane);
   frame->plane[4] = 0xFF;  // no class has the number 15

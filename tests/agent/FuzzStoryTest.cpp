@@ -140,7 +140,7 @@ class FuzzStory : public Story, public testing::WithParamInterface<int> {
 
   // Of one that played and was in the air for so long: it is slack within half a second.
   void expectSlack(double when) {
-    constexpr double kSlack = 0.55;  // and a message until its gains are told
+    constexpr double kSlack = 0.55;  // and a message until its gains are sent
     bool played = false;
     bool held = true;
     for (const Message& message : messages) {

@@ -19,7 +19,7 @@ using host::Desk;
 using host::WatchedSystem;
 
 constexpr double kGentle = 60.01;   // deg/s, of rounding
-constexpr double kInFlight = 0.15;  // s, what was told before is still played
+constexpr double kInFlight = 0.15;  // s, what was commanded before is still played
 
 // The stand-in's system with what may go wrong in it.
 class FaultySystem : public WatchedSystem {

@@ -77,7 +77,7 @@ class TraceLog : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(TraceLog, WhyIsToldOnceAndReplaysBitForBit) {
+TEST_F(TraceLog, WhyIsRecordedOnceAndReplaysBitForBit) {
   const std::string path = (folder_ / "log.mcap").string();
   const auto config = std::make_unique<AgentConfig>();
   {

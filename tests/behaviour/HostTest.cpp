@@ -203,7 +203,7 @@ TEST(Host, FirstLoadingIsSilent) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST(Host, EditIsToldByItsNameWhenItTakesEffect) {
+TEST(Host, EditIsReportedByItsNameWhenItTakesEffect) {
   const Scripts scripts(kSeven);
   scripts.write("skills/go.py", "SPEED = 3\n");
   HostRun run(scripts);
@@ -230,11 +230,11 @@ TEST(Host, SyntaxErrorInAnEditIsOneLineOnceAndTheMendedFilePlays) {
   EXPECT_EQ(run.state.lastError(), "");
 }
 
-TEST(Host, DeletedFileIsToldOnceAndTheOldVersionPlaysOnUntilItIsBack) {
+TEST(Host, DeletedFileIsReportedOnceAndTheOldVersionPlaysOnUntilItIsBack) {
   const Scripts scripts(kSeven);
   HostRun run(scripts);
   run.step();
-  for (int time = 0; time < 2; ++time) {  // it is told again when it goes again
+  for (int time = 0; time < 2; ++time) {  // it is reported again when it goes again
     scripts.remove("main.py");
     EXPECT_EQ(heard(run), "behaviour: main.py: gone; the version before plays on\n");
     EXPECT_EQ(heard(run), "");
@@ -246,7 +246,7 @@ TEST(Host, DeletedFileIsToldOnceAndTheOldVersionPlaysOnUntilItIsBack) {
   }
 }
 
-TEST(Host, DeletedModuleIsToldByItsNameOneThatNobodyNeedsByTheWay) {
+TEST(Host, DeletedModuleIsReportedByItsNameOneThatNobodyNeedsByTheWay) {
   const Scripts scripts("from skills.go import SPEED\n    " + std::string(kSeven));
   scripts.write("main.py",
                 "import kelpie\nfrom skills.go import SPEED\n\ndef decide(world):\n    " +
@@ -275,7 +275,7 @@ TEST(Host, WholeFolderGoneIsOneLine) {
   EXPECT_TRUE(contains(heard(run), "main.py: loaded again\n"));
 }
 
-TEST(Host, FileThatCannotBeReadIsToldByItsName) {
+TEST(Host, FileThatCannotBeReadIsReportedByItsName) {
   const Scripts scripts(kSeven);
   HostRun run(scripts);
   run.step();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What scripts print, what help() says, and what a script is told to use in place of what it has
+// What scripts print, what help() says, and what a script is advised to use in place of what it has
 // not.
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST(Print, EndAndSeparatorAreThoseOfPython) {
             "behaviour: 1-2;3\nbehaviour: a\nbehaviour: b\n");
 }
 
-TEST(Print, LineIsToldToTheRobotsLogAsNoFault) {
+TEST(Print, LineIsReportedToTheRobotsLogAsNoFault) {
   const Scripts scripts("print('hello')" + std::string(kPlays));
   HostRun run(scripts);
   run.step();
@@ -56,7 +56,7 @@ TEST(Print, LineIsToldToTheRobotsLogAsNoFault) {
   EXPECT_EQ(run.state.reports().next(read), nullptr);
 }
 
-TEST(Print, MoreThanTenLinesASecondAreCountedAndTold) {
+TEST(Print, MoreThanTenLinesASecondAreCountedAndReported) {
   const Scripts scripts("print('frame', world.frame)" + std::string(kPlays));
   testing::internal::CaptureStderr();
   {
@@ -82,12 +82,12 @@ TEST(Print, WhatSteersATerminalIsShownAsAQuestionMark) {
   EXPECT_EQ(printed("print('a\\x1b[2Jb\\rc\\0d')"), "behaviour: a?[2Jb?c?d\n");
 }
 
-TEST(Print, LineThatDoesNotEndIsToldInTheEnd) {
+TEST(Print, LineThatDoesNotEndIsReportedInTheEnd) {
   EXPECT_EQ(printed("for i in range(1500): print('.', end='')").size(),
             std::string("behaviour: ").size() + 200 + std::string("... (801 bytes more)\n").size());
 }
 
-TEST(Print, WhatIsPrintedWhileLoadingIsToldToo) {
+TEST(Print, WhatIsPrintedWhileLoadingIsReportedToo) {
   const Scripts scripts;
   testing::internal::CaptureStderr();
   scripts.write("main.py", "print('loads')\ndef decide(world): pass\n");

@@ -91,7 +91,7 @@ TEST(Trace, OfWrongTypesIsABadCommandWithOneClearLine) {
   }
 }
 
-TEST(Trace, OfARefusedCommandIsNotTold) {
+TEST(Trace, OfARefusedCommandIsNotReported) {
   const Scripts scripts("return kelpie.Command(motion='kick', trace=[(0, 'm', 'b', 'r')])");
   HostRun run(scripts);
   const Command command = run.step();

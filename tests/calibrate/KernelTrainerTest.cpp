@@ -30,7 +30,7 @@ LabelledPixels threeClouds() {
   return pixels;
 }
 
-TEST(KernelTrainer, CloudsThatLieApartAreToldApart) {
+TEST(KernelTrainer, CloudsThatLieApartAreDistinguished) {
   const auto table = trainClasses(threeClouds(), {}, {});
   EXPECT_GT(accuracyOf(confusionOf(table, threeClouds())), 0.99);
   EXPECT_EQ(table({140, 181, 79}), ColourClass::orange);

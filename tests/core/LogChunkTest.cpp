@@ -235,7 +235,7 @@ TEST_F(LogChunks, AreKeptByALogThatMoves) {
   EXPECT_FALSE(readAll(pathOf("other")).truncated);
 }
 
-// A file of one chunk that says of itself what it is told to say.
+// A file of one chunk that says of itself what it is made to say.
 struct ChunkFile {
   std::string compression;
   std::string stored;

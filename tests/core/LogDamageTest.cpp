@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Logs with damage inside: all undamaged chunks are read, and the gaps that are told hold all that
-// is missing.
+// Logs with damage inside: all undamaged chunks are read, and the gaps that are reported hold all
+// that is missing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -101,7 +101,7 @@ bool isReported(const Reading& reading, std::uint64_t time) {
   });
 }
 
-// Every message that is given is as it was written, and every other lies in a gap that is told.
+// Every message that is given is as it was written, and every other lies in a gap that is reported.
 void expectGapsReported(const Reading& reading, const std::vector<std::string>& all) {
   const std::set<std::string> read(reading.contents.begin(), reading.contents.end());
   const std::set<std::string> written(all.begin(), all.end());
@@ -131,12 +131,12 @@ void tryDamages(const LogOptions& options, bool whole, std::uint64_t seed) {
   }
 }
 
-TEST_F(LogDamage, InChunksCostsOnlyThoseChunksAndIsTold) {
+TEST_F(LogDamage, InChunksCostsOnlyThoseChunksAndIsReported) {
   tryDamages(chunksOf(600), true, 1);
   tryDamages(chunksOf(600, ""), true, 2);
 }
 
-TEST_F(LogDamage, InALogWithoutEndCostsOnlyThoseChunksAndIsTold) {
+TEST_F(LogDamage, InALogWithoutEndCostsOnlyThoseChunksAndIsReported) {
   tryDamages(chunksOf(600), false, 3);
   tryDamages(chunksOf(600, ""), false, 4);
 }
@@ -153,7 +153,7 @@ TEST_F(LogDamage, OfTheFirstChunkOfAKilledLogLeavesTheOthersReadable) {
   EXPECT_GT(reading.messages, 420);
 }
 
-TEST_F(LogDamage, IsToldWithBytesReasonAndTimes) {
+TEST_F(LogDamage, IsReportedWithBytesReasonAndTimes) {
   const std::string log = writeLog(pathOf("log"), chunksOf(600));
   const ChunkSpan third = chunksIn(log)[2];
   std::string broken = log;

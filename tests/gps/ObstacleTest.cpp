@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The map of obstacles: what is seen, forgotten, heard, and told to the behaviours and the team.
+// The map of obstacles: what is seen, forgotten, heard, and given to the behaviours and the team.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -107,7 +107,7 @@ TEST(ObstacleMap, ASeenRobotIsAnObstacle) {
   EXPECT_GT(m.at({180 - 80 * std::sin(30 / 57.2958), 270 + 80 * std::cos(30 / 57.2958)}), 1.0);
 }
 
-TEST(ObstacleMap, WhatAMateTellsFadesSoonAndIsNotToldOn) {
+TEST(ObstacleMap, WhatAMateSendsFadesSoonAndIsNotSentOn) {
   Mapping m;
   TeamMessage message;
   message.obstacles.push_back({{100, 300}, 30.0});

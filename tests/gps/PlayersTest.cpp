@@ -133,7 +133,7 @@ int framesToTell(const TeamNote& news) {
   return frames;
 }
 
-TEST(Message, NewsOfTheBallIsToldAtOnceAndOtherNewsEveryFifthFrame) {
+TEST(Message, NewsOfTheBallIsSentAtOnceAndOtherNewsEveryFifthFrame) {
   TeamNote note;
   note.role = Role::defender;
   EXPECT_EQ(framesToTell(note), 5);

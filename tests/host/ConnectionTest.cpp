@@ -61,11 +61,11 @@ TEST(ConnectionTest, HeaderIsTwelveLittleEndianBytes) {
   EXPECT_EQ(kStepOf5, Bytes(raw.begin(), raw.begin() + 12));
 }
 
-TEST(ConnectionTest, CleanEndOfFileIsToldAtOnce) {
+TEST(ConnectionTest, CleanEndOfFileIsReportedAtOnce) {
   EXPECT_EQ("connection closed by the world", complaint({}, true));
 }
 
-TEST(ConnectionTest, EndOfFileInHeaderOrBodyIsToldWithItsPlace) {
+TEST(ConnectionTest, EndOfFileInHeaderOrBodyIsReportedWithItsPlace) {
   EXPECT_EQ("connection closed by the world in the middle of a message (2 of 12 bytes)",
             complaint({'1', 'P'}, true));
   Bytes truncated = kStepOf5;

@@ -22,7 +22,7 @@ double panOf(const EffectorVector& vector, std::size_t tick = 0) {
   return anglesOf(vector.targets[tick])[Joint::headPan].deg();
 }
 
-TEST(RunAgentTest, PowersTheMotorsWhenToldToAndSetsGainsOnlyAfterATargetWasTaken) {
+TEST(RunAgentTest, PowersTheMotorsWhenCommandedToAndSetsGainsOnlyAfterATargetWasTaken) {
   FakeSource source;
   source.addSensors(2);
   FakeLoops loops;

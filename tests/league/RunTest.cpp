@@ -44,7 +44,7 @@ TEST(Run, PlaysEachMatchOnceOnAnyNumberOfThreads) {
   EXPECT_EQ(texts.size(), 1U);
 }
 
-TEST(Run, AMatchInTroubleIsTriedOnceMoreThenVoidAndTold) {
+TEST(Run, AMatchInTroubleIsTriedOnceMoreThenVoidAndReported) {
   auto journal = freshJournal();
   int tries = 0;
   const Play play = [&tries](const LeagueMatch& match) {

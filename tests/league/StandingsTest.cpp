@@ -40,7 +40,7 @@ TEST(Standings, TheTwoMatchesOfASeedAreOneObservation) {
   EXPECT_DOUBLE_EQ(standings.sides[1].difference.mean, 0.25);
 }
 
-TEST(Standings, ASeedWithoutItsOtherMatchCountsNowhereButIsTold) {
+TEST(Standings, ASeedWithoutItsOtherMatchCountsNowhereButIsReported) {
   LeagueRecord league{twoSides(6), {goals(3, 1), goals(0, 1), goals(9, 0), {}, {}, {}}};
   league.results[3] = MatchResult{};
   league.results[3]->trouble = "died";

@@ -87,7 +87,7 @@ TEST(MotionFile, AMirrorImageTwiceIsTheMotionItself) {
   }
 }
 
-TEST(MotionFile, WhatIsWrongIsToldByLineOrName) {
+TEST(MotionFile, WhatIsWrongIsReportedByLineOrName) {
   EXPECT_NE(complaint("slew = 5\n").find("has no [[frame]]"), std::string::npos);
   EXPECT_NE(complaint(kFrame + "speed = 3\n").find("speed: there is no such key"),
             std::string::npos);
@@ -127,7 +127,7 @@ TEST(MotionFile, GainOfAFrameIsAShareOfTheStandardOne) {
   EXPECT_EQ(again->frames[0].gain, 0.45);
 }
 
-TEST(MotionFile, GainThatIsNoShareIsToldInOneLine) {
+TEST(MotionFile, GainThatIsNoShareIsReportedInOneLine) {
   for (const char* value : {"0.1", "1.5", "-1", "nan", "inf"}) {
     const std::string text = complaint(kFrame + "gain = " + value + "\n");
     EXPECT_NE(text.find("frames[0].gain: "), std::string::npos) << text;

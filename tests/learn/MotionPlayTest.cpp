@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motions that are no kicks and no grabs, played on varied physical models, and that a fall
-// would be told.
+// would be reported.
 #include <gtest/gtest.h>
 
 #include "tools/learn/motion/BlockTrial.h"
@@ -48,7 +48,7 @@ actuator::KeyFrame keyOf(Angle leftRotator, Angle leftShoulder, Angle rightShoul
   return key;
 }
 
-TEST(Motion, ThatLiftsTheLeftLegsAndThrowsTheRightOnesOutIsTold) {
+TEST(Motion, ThatLiftsTheLeftLegsAndThrowsTheRightOnesOutIsReported) {
   const auto deg = [](double value) { return Angle::deg(value); };
   actuator::MotionData motion;
   motion.frames.push_back(keyOf(deg(100.0), deg(0.0), deg(-10.0), deg(0.0)));

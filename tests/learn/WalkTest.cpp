@@ -33,7 +33,7 @@ TEST(WalkFile, IsAParameterFileThatGivesTheSetBack) {
   EXPECT_NEAR(params.walks.low.odometry.left.felt.load, set.odometry.left.felt.load, 1e-5);
 }
 
-// Half of what the body does is told by joints that are right.
+// Half of what the body does is measured by joints that are right.
 TEST(WalkFit, FindsTheCurvesAndSharesThatMadeTheSamples) {
   actuator::WalkCalibration c;
   c.forward = {0.9, 0.002};

@@ -44,7 +44,7 @@ TEST(DecisionTree, RowsThatAreNoTreeAreRefusedWithTheirNumber) {
             "tree() of main.py: row 2: no question '0n' above it");
 }
 
-TEST(DecisionTree, LeavesAreCountedByNameWhereNoPlaceIsTold) {
+TEST(DecisionTree, LeavesAreCountedByNameWhereNoPlaceIsGiven) {
   LeafCounter counter;
   for (const char* name : {"turn", "turn", "kick", "turn"}) counter.take(leaf("tree", name));
   auto tree = *treeOf(kRows);
@@ -55,7 +55,7 @@ TEST(DecisionTree, LeavesAreCountedByNameWhereNoPlaceIsTold) {
   EXPECT_EQ(tree.nodes[4].count.times, 2U);
 }
 
-TEST(DecisionTree, LeavesAreCountedAtThePlaceThatIsTold) {
+TEST(DecisionTree, LeavesAreCountedAtThePlaceThatIsGiven) {
   LeafCounter counter;
   for (const char* module : {"tree 0yn", "tree 0yn", "tree 0n"}) counter.take(leaf(module, "turn"));
   auto tree = *treeOf(kRows);

@@ -52,7 +52,7 @@ TEST_F(SkillField, TheWayIsInTheFieldFrameWhateverTheHeading) {
   EXPECT_NEAR(field->front().way.y, -2.0, 1e-9);
 }
 
-TEST_F(SkillField, TheSkillAndTheSightAreTold) {
+TEST_F(SkillField, TheSkillAndTheSightAreShown) {
   question.heading = Angle::deg(90.0);
   const auto field = steps(
       "kinds = [mark.kind for mark in world.percepts.landmarks]\n"

@@ -127,7 +127,7 @@ TEST(LaterControl, AClockThatHasRunOverCountsZero) {
   EXPECT_EQ(decoded(with(packet18(), 15, 0xff)).secondsLeft, 0U);
 }
 
-TEST(LaterControl, ABallThatWasNeverDroppedInAndOneThatNobodyKicksOffAreTold) {
+TEST(LaterControl, ABallThatWasNeverDroppedInAndOneThatNobodyKicksOffAreReported) {
   EXPECT_EQ(decoded(with(with(packet8(), 12, 0xff), 13, 0xff)).dropInSeconds, kNoDropIn);
   for (const auto& data : {decoded(with(packet8(), 9, 2)), decoded(with(packet18(), 13, 255))}) {
     EXPECT_TRUE(data.dropBall);
@@ -172,7 +172,7 @@ TEST(LaterControl, ARobotIsRuledByEither) {
   EXPECT_EQ(blue.ownScore, 3);
 }
 
-TEST(LaterControl, WhereNoColoursAreToldTheNumberSaysWhichTeamIsTheRobots) {
+TEST(LaterControl, WhereNoColoursAreGivenTheNumberSaysWhichTeamIsTheRobots) {
   Bytes bytes = with(with(packet18(), 19, 3), 69, 4);  // 34 is black and 12 is white
   for (const TeamColour uniform : {TeamColour::red, TeamColour::blue}) {
     const ListenerState twelve = robotThatHears(bytes, uniform, 12);

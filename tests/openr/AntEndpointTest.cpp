@@ -32,7 +32,7 @@ class AntEndpointTest : public testing::Test {
                     TimeUs::fromSeconds(seconds));
     ant().started = true;
   }
-  // The first opening failed, which was told, so that from 1 s on all is asked by messages.
+  // The first opening failed, which was reported, so that from 1 s on all is asked by messages.
   void beginInVain() {
     ant().callsServed = 0;
     begin(-1.5);
@@ -47,7 +47,7 @@ class AntEndpointTest : public testing::Test {
     tick(seconds);
     takeAll();
   }
-  // The next answer of the network goes to the endpoint; what it heard is told.
+  // The next answer of the network goes to the endpoint; what it heard is returned.
   Bytes take() {
     if (ant().answers.empty()) {
       ADD_FAILURE() << "no answer";
@@ -128,7 +128,7 @@ TEST_F(AntEndpointTest, WhatIsTooLongIsNotSent) {
   EXPECT_TRUE(broadcast(Bytes(64)));
 }
 
-TEST_F(AntEndpointTest, ARefusalIsToldOnceAndTriedAgainAfterTwoSeconds) {
+TEST_F(AntEndpointTest, ARefusalIsReportedOnceAndTriedAgainAfterTwoSeconds) {
   bool* const refusals[] = {&ant().refusesMessages, &ant().refusesMemory, &ant().refusesEndpoints,
                             &ant().refusesPorts};
   for (bool* refusal : refusals) *refusal = true;
@@ -169,7 +169,7 @@ TEST_F(AntEndpointTest, ItAsksForOneThingAfterTheOther) {
 // The first opening fails after some Calls.
 class CallsInVain : public AntEndpointTest, public testing::WithParamInterface<int> {};
 
-TEST_P(CallsInVain, AreToldAndFollowedByMessagesAfterTwoSeconds) {
+TEST_P(CallsInVain, AreReportedAndFollowedByMessagesAfterTwoSeconds) {
   ant().callsServed = GetParam();
   begin();
   EXPECT_EQ(GetParam() + 1, ant().calls);

@@ -100,7 +100,7 @@ TEST_F(ApiTest, PowerStatusTellsTheBatterysCurrent) {
   EXPECT_EQ(1800, status.current);
 }
 
-TEST_F(ApiTest, WhoObservesThePowerIsToldOfEachChange) {
+TEST_F(ApiTest, WhoObservesThePowerIsInformedOfEachChange) {
   const OServiceEntry entry(objectOf(7), 10);
   EXPECT_EQ(oINVALID_ARG, OPENR::ObservePowerStatus(OPowerStatus(), OServiceEntry()));
   ASSERT_EQ(oSUCCESS, OPENR::ObservePowerStatus(OPowerStatus(), entry));

@@ -58,7 +58,7 @@ under the locators above, with motor duty from -512 to 512 in the joint's sign.
 )";
 
 constexpr const char* kSensorNotes = R"(
-The axes point backward, left and down, and what is told is the push that holds the robot up: on
+The axes point backward, left and down, and what is measured is the push that holds the robot up: on
 its nose backward, on its right side to the left, on its feet upward, so -g in a3. A trunk that
 stands level has none in a1; with its nose down it is positive.
 

@@ -77,7 +77,7 @@ TEST(RawPoses, AnAccelerationThatCountsTheOtherWayIsSeen) {
   }
 }
 
-TEST(RawPoses, AreSentAsTheyAreTold) { EXPECT_EQ(kRawPoseCount, rightlySent(robotSenses())); }
+TEST(RawPoses, AreSentAsTheyAreMeasured) { EXPECT_EQ(kRawPoseCount, rightlySent(robotSenses())); }
 
 TEST(RawPoses, AJointThatIsSentTheOtherWayIsSeen) {
   for (std::size_t i = 0; i < kJointCount; ++i) {

@@ -124,7 +124,7 @@ TEST(Shape, AnEntryIsValidWhenItHasAnObjectAndAMethod) {
   EXPECT_TRUE(entry != OServiceEntry(objectOf(1), 6));
 }
 
-TEST(Shape, ATimeIsInvalidUntilItIsTold) {
+TEST(Shape, ATimeIsInvalidUntilItIsSet) {
   SystemTime time;
   EXPECT_FALSE(time.IsValid());
   time = SystemTime(0, 0);

@@ -233,7 +233,7 @@ class IdealWorld:
 
     def perceive(self, place):
         """The percept of a ball in the robot frame, without its place in the image: its top is
-        told to be out of it."""
+        said to be out of it."""
         ball = self.world.percepts.ball
         ball.distance = math.hypot(*place)
         ball.heading_deg = math.degrees(math.atan2(-place[0], place[1]))

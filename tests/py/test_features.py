@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The places of a field that a robot looks at are made from the field that it is told."""
+"""The places of a field that a robot looks at are made from the field that it knows."""
 import ast
 import pathlib
 

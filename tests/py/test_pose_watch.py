@@ -9,7 +9,7 @@ from situation.pose_watch import (BACK_CM, BACK_DEG, BLIND, BLIND_SURE, LIKELY, 
 
 
 class Walk:
-    """A robot on a circle: told where it is, and once where it is not."""
+    """A robot on a circle: informed where it is, and once where it is not."""
 
     def __init__(self):
         self.world = kelpie.WorldFrame()

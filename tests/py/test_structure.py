@@ -167,7 +167,7 @@ def test_no_module_writes_the_state_of_another(path):
 
 @pytest.mark.parametrize('text, writes', [
     ('self.memory.grab_lost = 0', True), ('memory.hint = None', True),
-    ('self.eyes.told, x = place, 1', True), ('self.goal.looked_s += 1.0', True),
+    ('self.eyes.seen, x = place, 1', True), ('self.goal.looked_s += 1.0', True),
     ('self.leaf = leaf', False), ('command.team.role = 1', False), ('walk.left = 0.0', False)])
 def test_a_write_of_anothers_state_is_found(tmp_path, text, writes):
     (tmp_path / 'one.py').write_text(text)

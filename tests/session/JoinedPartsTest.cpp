@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is told of the logs that a killed match left is what the joined ones hold.
+// What is reported of the logs that a killed match left is what the joined ones hold.
 #include <gtest/gtest.h>
 
 #include "robot/core/log/LogTopics.h"
@@ -36,7 +36,7 @@ class JoinedParts : public LogFiles {
   }
 };
 
-TEST_F(JoinedParts, WithoutForeignTopicsWhichAreTold) {
+TEST_F(JoinedParts, WithoutForeignTopicsWhichAreReported) {
   const Joined reported = joined(false);
   EXPECT_EQ(reported.messages, 20U);
   EXPECT_EQ(reported.foreign, 10U);

@@ -76,7 +76,7 @@ TEST(Session, FramesAreKeptWithoutImagesUnlessALogIsWanted) {
   EXPECT_FALSE(has(agentCommand(options, runDirectory), "--no-images"));
 }
 
-TEST(Session, WhatIsStagedIsToldToTheWorld) {
+TEST(Session, WhatIsStagedReachesTheWorld) {
   const RunDirectory runDirectory;
   SessionOptions options;
   options.staging.places = {{{TeamColour::red, 1}, {{180.0, 100.0}, Angle::deg(90.0)}}};

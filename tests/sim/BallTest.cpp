@@ -62,7 +62,7 @@ TEST(Ball, PushedByTheChestItRunsAhead) {
   EXPECT_NEAR(ball.position.x, 180.0, 1e-6);
 }
 
-TEST(Ball, TheRobotThatPushedItIsTold) {
+TEST(Ball, TheRobotThatPushedItIsReported) {
   const RobotModel far(RobotParams{}, Pose2{{60, 200}, Angle::deg(90)}, 1);
   const RobotModel near(RobotParams{}, Pose2{{180, 200}, Angle::deg(90)}, 2);
   Ball ball{{180, 200 + kChestAhead + body::kBallRadius - 0.5}, {0, -50}};

@@ -147,7 +147,7 @@ TEST(ControlledMatch, ABallThatGoesOutIsPutBackAtOnce) {
   EXPECT_EQ(match.count(EventKind::stuck), 0U);
 }
 
-TEST(ControlledMatch, ADropInThatIsToldOfABallInPlayIsDone) {
+TEST(ControlledMatch, ADropInThatIsReportedOfABallInPlayIsDone) {
   Played match;
   match.tell(PlayState::playing);
   match.control.dropInSeconds = 0;

@@ -103,7 +103,7 @@ TEST(FastKick, OfABallOutOfItsReachLeavesItThere) {
 }
 
 // None of its parts touches such a ball.
-TEST(FastKick, WhoCarriesTheBallIsToldToTouchIt) {
+TEST(FastKick, WhoCarriesTheBallIsReportedToTouchIt) {
   WalkingBody body(3);
   Command command = learn::holdingCommand();
   command.walk.forward = 10.0;

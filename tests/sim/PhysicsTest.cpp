@@ -206,7 +206,7 @@ TEST(PhysicalBall, RollsAsFarAsItsResistanceSays) {
   EXPECT_LT(physics.ball().velocity.norm(), 0.3);
 }
 
-TEST(PhysicalBall, WhoPushesItIsToldAndNobodyElse) {
+TEST(PhysicalBall, WhoPushesItIsReportedAndNobodyElse) {
   auto built = Physics::build(field2006(), {PhysicsParams{}, PhysicsParams{}}, {});
   Physics physics = std::move(*built);
   physics.putRobot(0, {{60.0, 200.0}, Angle::deg(90.0)}, startingPose());

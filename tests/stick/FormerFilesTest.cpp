@@ -132,7 +132,7 @@ TEST(FormerFiles, AreNoneWhereStickBinListsAnotherObjectList) {
 }
 
 // Somebody has copied another program over our stick: what STICK.BIN lists is still ours.
-TEST(FormerFiles, AreToldFromOursOnAMixedStick) {
+TEST(FormerFiles, AreDistinguishedFromOursOnAMixedStick) {
   const std::string root = mountedStick("mixed");
   ASSERT_TRUE(writeFiles(sampleTree(), root, silently));
   put(fs::path(root) / kObjectListPath, kFormer.at(kObjectListPath));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What OPEN-R is told of the object, against what was measured of it.
+// What OPEN-R reads of the object, against what was measured of it.
 #include <sstream>
 
 #include "tests/stick/Sticks.h"

@@ -15,7 +15,7 @@ import pytest
 from test_object import FLAGS, ROOT, TOOLCHAIN, must, run
 
 # What the SDK's archives want of a C++ library and of libgcc, and what the link must have in place
-# of the SDK's own maths: names told by openr.md 3.5 and openr-measured.md 4, not by our sources.
+# of the SDK's own maths: names given by openr.md 3.5 and openr-measured.md 4, not by our sources.
 WANTED = """_ZSt4cout _ZStlsISt11char_traitsIcEERSt13basic_ostreamIcT_ES5_PKc _ZNSolsEl _ZNSolsEm
 _ZNSolsEPKv _ZNSolsEPFRSoS_E _ZSt4endlIcSt11char_traitsIcEERSt13basic_ostreamIT_T0_ES6_
 _ZNSt8ios_base4InitC1Ev _ZNSt8ios_base4InitD1Ev

@@ -319,7 +319,7 @@ def test_an_answer_of_a_story_that_is_changed_is_noticed(tmp_path):
     assert "1 stories; 1 of " in done.stdout and "byte 100 of" in done.stderr
 
 
-def test_players_are_told_apart_by_their_commands(tape, simple_tape, tmp_path):
+def test_players_are_distinguished_by_their_commands(tape, simple_tape, tmp_path):
     done = run(TOOLCHAIN / "emulate", "--at", "0x10000000", "--tape",
                short(simple_tape, tmp_path / "other", 12))
     assert done.returncode == 1 and "0 of" in done.stdout  # of the motion steps, which are the same

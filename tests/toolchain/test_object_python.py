@@ -143,7 +143,7 @@ def packed(data):
     (packed, "what the zip holds is packed"),
     (lambda data: data.replace(importlib.util.MAGIC_NUMBER, b"\x00\x00\r\n"),
      "main.pyc is of another Python")])
-def test_zip_that_cannot_be_played_is_told_and_plays_nothing(tape, tmp_path, damage, said):
+def test_zip_that_cannot_be_played_is_reported_and_plays_nothing(tape, tmp_path, damage, said):
     data = damage(zip_of(tmp_path, main="def decide(world): pass\n"))
     player = Player(tape, data)
     assert player.fallback() == NOT_LOADED
@@ -197,7 +197,7 @@ def test_script_that_eats_memory_is_refused_it_and_the_next_one_plays(player, bo
     assert player.fallback() == 3  # a list is no Command
 
 
-def test_script_prints_to_where_errors_are_told(tape, tmp_path):
+def test_script_prints_to_where_errors_are_reported(tape, tmp_path):
     player = Player(tape, zip_of(tmp_path, main=MAIN.replace("raise ValueError", "print"),
                                  lib__words="SAID = 'from the stick'\n"))
     player.fallback()

@@ -141,7 +141,7 @@ def test_no_file_opens(machine):
     assert said.startswith("FileNotFoundError"), said
 
 
-def test_an_error_of_a_script_is_told_and_the_next_runs(machine):
+def test_an_error_of_a_script_is_reported_and_the_next_runs(machine):
     assert machine.python("answer = 1 / 0\n") == "ZeroDivisionError('division by zero')"
     assert machine.python("answer = 7\n") == "7"
 

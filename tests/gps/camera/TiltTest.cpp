@@ -131,7 +131,7 @@ TEST(EdgeElevation, TellsTheTiltWhereThePoseIsKnown) {
   EXPECT_TRUE(edgeSightings(in, field2006(), robot.params, mode).empty());
 }
 
-// The line of one border runs on above the other, which nobody told from it.
+// The line of one border runs on above the other, which nobody distinguished from it.
 TEST(EdgeElevation, ALineAcrossACornerOfTheCarpetTellsNothing) {
   Watcher robot;
   PoseMode& mode = robot.state.modes[0];

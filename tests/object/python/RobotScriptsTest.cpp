@@ -50,7 +50,7 @@ TEST(RobotScripts, AnErrorIsOneLineOfTheSystemsLogAndALight) {
       << result.log;
 }
 
-TEST(RobotScripts, WhatDoesNotLoadIsToldToo) {
+TEST(RobotScripts, WhatDoesNotLoadIsReportedToo) {
   const Played result = playedWith("broken", "return kelpie.Command()\n\n\nimport os");
   EXPECT_EQ(result.leds.back() & kFailed, kFailed);
   EXPECT_EQ(times(result.log, "behaviour: "), 1) << result.log;

@@ -127,7 +127,7 @@ def test_the_width_of_a_covariance_is_that_of_its_widest_axis():
 
 
 class Search:
-    """A search on a field where the ball is seen or believed as told, frame by frame."""
+    """A search on a field where the ball is seen or believed as given, frame by frame."""
 
     def __init__(self, lost=0, place=(0.0, 100.0)):
         self.world = kelpie.WorldFrame(field=kelpie.FIELDS['2006'])

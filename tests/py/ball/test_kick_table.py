@@ -204,7 +204,7 @@ def test_what_is_blocked_and_what_is_free_add_up_to_the_whole():
     assert goal_chance(ball, heading=95.0, blocked=[(-90.0, 0.0), (-5.0, 90.0)]) == 0.0
 
 
-def test_directions_that_are_told_around_the_back_are_the_same_ones():
+def test_directions_that_are_given_around_the_back_are_the_same_ones():
     ball = (MIDDLE, 460.0)
     robot = pose(MIDDLE, 474.0, -90.0)
     behind = (1.0, 180.0, 5.0, 200.0, 30.0)

@@ -2,7 +2,7 @@
 # A plane world for goalies: balls roll at the own goal, the goalie's commands are integrated. The
 # field is the complex plane in cm, a heading is a unit number. Legs follow 0.1 s late and motions
 # begin as late; a block covers what docs/physical-body.md says from when it says on; a ball in a
-# kick's place goes where that table says. What the goalie is told of the ball is 0.07 s old, and
+# kick's place goes where that table says. What the goalie knows of the ball is 0.07 s old, and
 # wrong by `noise` times 2.5 % of its distance and 8 cm/s + 10 % of its speed.
 import cmath
 import math
@@ -16,7 +16,7 @@ from skills.walk.guard_goal import OF_2006, GuardGoal
 
 FRAME_S = 1.0 / 30.0
 LATE = 3            # frames from a command to the legs
-REPORTED = 2            # frames from the ball to what is told of it
+REPORTED = 2            # frames from the ball to what is known of it
 DRAG, BRAKE = 0.76, 6.0
 # Motion: cover to the left and to the right (cm), from, to and end (s after its beginning).
 BLOCKS = {kelpie.BLOCK: (21.4, 21.4, 0.12, 1.0, 1.7),
@@ -159,7 +159,7 @@ class GoalieWorld:
         odometry.forward, odometry.left = step.real, step.imag
         odometry.turn_deg = math.degrees(turn)
 
-    # What the goalie is told
+    # What the goalie knows
 
     def see(self):
         world = self.world

@@ -395,7 +395,7 @@ def test_the_search_of_the_team_can_be_switched_off_and_needs_mates():
     assert heard_of(made) is None
 
 
-# What the team is told
+# What the team hears
 
 def test_a_forward_tells_its_role_its_time_and_where_it_goes():
     made, forward = scene(at=(300.0, 100.0)), Forward()
@@ -408,7 +408,7 @@ def test_a_forward_tells_its_role_its_time_and_where_it_goes():
     assert note.role == kelpie.ATTACKER and note.wanted.x == 100.0
 
 
-def test_a_grab_is_told_before_and_while_the_ball_is_held():
+def test_a_grab_is_reported_before_and_while_the_ball_is_held():
     made, forward = world(180.0, 200.0, ball=(180.0, 230.0)), Forward()
     forward.memory.approach_lost = 0
     assert forward.step(made).team.grabs == kelpie.GRABS_SOON

@@ -253,7 +253,7 @@ TEST(RuledMatch, NothingIsCalledBeforeTheWhistle) {
   EXPECT_TRUE(match.score.goals.empty());
 }
 
-TEST(RuledMatch, WhatTheGameControllerTellsIsWhatTheRobotsAreTold) {
+TEST(RuledMatch, WhatTheGameControllerSendsIsWhatTheRobotsHear) {
   Match match;
   const auto same = [&match] {
     const auto bytes = encodeControl(match.match.control(match.score));

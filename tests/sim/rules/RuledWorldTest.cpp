@@ -72,7 +72,7 @@ TEST(RuledWorld, ARobotThatLeavesIsCarriedOffAndBack) {
   EXPECT_LT(distance(match.pose(1).position, {345.0, 270.0}), 2.0);
 }
 
-TEST(RuledWorld, AGoalIsToldToBothTeamsAndTheBallLiesInTheMiddle) {
+TEST(RuledWorld, AGoalIsReportedToBothTeamsAndTheBallLiesInTheMiddle) {
   Played match(true);
   ASSERT_TRUE(match.until(PlayState::playing));
   match.world.putBall({{180.0, 545.0}, {}});

@@ -75,7 +75,7 @@ TEST(Obstacles, EmptyFieldWithALineAndABallHasNone) {
   EXPECT_TRUE(seen.percepts.obstacles.empty());
 }
 
-TEST(Obstacles, WhatIsDarkIsToldByTheCarpetAround) {
+TEST(Obstacles, WhatIsDarkIsJudgedByTheCarpetAround) {
   const auto ahead = [](double carpetY, double boxY) {
     Painting p = boxAt(0, 80, {boxY, 126, 128});
     p.carpet.y = carpetY;
