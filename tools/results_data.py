@@ -23,7 +23,7 @@ FIELDS = {
     "subject": {"title", "text", "run", "rows"},
     "measured": {"run", "what", "key", "take", "factor", "digits", "unit", "required",
                  "required_says", "reference", "reference_key", "source", "needs_data"},
-    "by hand": {"what", "command", "value", "told", "digits", "unit", "required", "verdict",
+    "by hand": {"what", "command", "value", "stated", "digits", "unit", "required", "verdict",
                 "reference", "source", "date", "commit"}}
 # What no figure depends on, wherever it stands.
 WITHOUT_EFFECT = ("*.md", "test_*", "*.png")
@@ -59,9 +59,9 @@ def check_fields(where, table, kind, *needed):
 def check_row(where, row, runs):
     if "key" not in row:
         check_fields(where, row, "by hand", "what", "command", "date", "commit")
-        if ("value" in row) == ("told" in row):
-            raise Refused(f"{where}: needs key, value or told")
-        if "told" in row and ("required" in row) != (row.get("verdict") in ("met", "missed")):
+        if ("value" in row) == ("stated" in row):
+            raise Refused(f"{where}: needs key, value or stated")
+        if "stated" in row and ("required" in row) != (row.get("verdict") in ("met", "missed")):
             raise Refused(f"{where}: a text that is required needs the verdict 'met' or 'missed'")
     else:
         check_fields(where, row, "measured", "what", "run")
@@ -69,7 +69,7 @@ def check_row(where, row, runs):
             raise Refused(f"{where}: no run {row['run']!r}")
         if row.get("take", "max") not in TAKE:
             raise Refused(f"{where}: take is one of {', '.join(TAKE)}")
-    if "required" in row and "told" not in row:
+    if "required" in row and "stated" not in row:
         parts = row["required"].split()
         if len(parts) != 2 or parts[0] not in COMPARE:
             raise Refused(f"{where}: required is a comparison ({' '.join(COMPARE)}) with a number "

@@ -69,7 +69,7 @@ def verdict_of(row, values, limits):
 def requirement_of(row):
     if "required" not in row:
         return "-"
-    if "told" in row or not is_plain(row["required"].split()[1]):
+    if "stated" in row or not is_plain(row["required"].split()[1]):
         return row.get("required_says", row["required"])
     return f"{row['required']} {row.get('unit', '')}".rstrip()
 
@@ -138,7 +138,7 @@ class Page:
             return with_unit(row, row["value"]), verdict_of(row, [row["value"]], limit), \
                 row.get("reference", "")
         verdict = {"missed": "**missed**"}.get(row.get("verdict"), row.get("verdict", "-"))
-        return row["told"], verdict, row.get("reference", "")
+        return row["stated"], verdict, row.get("reference", "")
 
     def cells(self, row, last_command):
         if "key" in row:

@@ -47,7 +47,7 @@ title = "Cost"
 rows = [
   { what = "cycles", command = "toolchain/target-cost", value = 2.31, unit = "M", \
 required = "<= 4", date = "2026-11-22", commit = "abc1234" },
-  { what = "lack", command = "the same", told = "names Eigen", \
+  { what = "lack", command = "the same", stated = "names Eigen", \
 required = "fails", verdict = "missed", date = "2026-11-22", commit = "abc1234" },
 ]
 """
@@ -73,7 +73,7 @@ echo "$name ended" >>"$here/ends"
 
 
 class Place:
-    """A tree with tools/results, and programs that give the figures that `give` was told."""
+    """A tree with tools/results, and programs that give the figures that `give` was given."""
 
     def __init__(self, folder):
         self.tree, self.bin = folder / "tree", folder / "bin"

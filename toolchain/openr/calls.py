@@ -3,7 +3,7 @@
 from its instructions and relocations. PIC code finds every function by the GOT, so that each
 mention of a function (CALL16 or GOT16) counts as a call: that is sometimes too many and never too
 few. A call by a pointer out of memory mentions nobody; its caller is in `indirect`, and who is
-called must be told by a list.
+called must be given by a list.
 
 The code of Python's interpreter, which lies together (object.ld), calls itself by pointers and
 without end. Nobody is followed in it: all of it is one function, INTERPRETER, whose stack a list
@@ -224,7 +224,7 @@ class Calls:
 
     def constructor_table(self):
         """Names of the functions in .ctors, in its order; None where no function that is followed
-        here can be told, and nothing for a table's end."""
+        here can be identified, and nothing for a table's end."""
         section = self.elf.section(".ctors")
         if section is None:
             return []

@@ -8,7 +8,7 @@ from collections import namedtuple
 
 R_MIPS_32, R_MIPS_HI16, R_MIPS_LO16, R_MIPS_GOT16 = 2, 5, 6, 9
 R_MIPS_CALL16, R_MIPS_GPREL32 = 11, 12
-# The MIPS psABI's numbers; those not named here are told by number.
+# The MIPS psABI's numbers; those not named here are shown by number.
 RELOCATIONS = {0: "R_MIPS_NONE", 1: "R_MIPS_16", 2: "R_MIPS_32", 3: "R_MIPS_REL32", 4: "R_MIPS_26",
                5: "R_MIPS_HI16", 6: "R_MIPS_LO16", 7: "R_MIPS_GPREL16", 8: "R_MIPS_LITERAL",
                9: "R_MIPS_GOT16", 10: "R_MIPS_PC16", 11: "R_MIPS_CALL16", 12: "R_MIPS_GPREL32",

@@ -45,7 +45,7 @@ CONVERSIONS = {SINGLE: UNARY | {0x21}, DOUBLE: UNARY | {0x20}, WORD: {0x20, 0x21
 COMPARE = 0x30
 FORMATS = {SINGLE: ".s", DOUBLE: ".d", WORD: ".w", 0x15: ".l", 0x16: ".ps"}
 
-# What is refused most likely, by its name; the rest is told by its numbers.
+# What is refused most likely, by its name; the rest is shown by its numbers.
 FOREIGN_OPCODES = {COP0: "of the kernel's coprocessor 0", COP2: "of coprocessor 2",
                    COP3: "of coprocessor 3", 0x1c: "SPECIAL2 of MIPS32", 0x1f: "SPECIAL3 of MIPS32",
                    0x33: "pref", 0x2f: "cache", 0x37: "ld", 0x3f: "sd", 0x27: "lwu"}

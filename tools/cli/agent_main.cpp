@@ -180,7 +180,7 @@ ImagesKept imagesKept(const AgentOptions& options) {
   return options.allImages ? ImagesKept::all : ImagesKept::some;
 }
 
-// A script that does not load is bad input: told before the match, not during it. During it the
+// A script that does not load is bad input: reported before the match, not during it. During it the
 // robot stands until the script is mended, as one does whose scripts are edited while it plays.
 int run(const AgentOptions& options) {
   const Status scripts = checkScripts(options.pycode);
@@ -209,7 +209,7 @@ int run(const AgentOptions& options) {
   agent::AgentLoops loops(*config, options.pycode, sink);
   if (!loops.scriptError().empty() && !options.again) return fail(loops.scriptError(), 2);
   const Status played = runFrom(**source, options, links, loops);
-  const bool ended = log && !log->status();  // which was told
+  const bool ended = log && !log->status();  // which was reported
   const Status closed = log && !ended ? log->close() : Status(Done{});
   if (!played) return fail(played.error(), 1);
   return closed ? 0 : fail(closed.error(), 1);

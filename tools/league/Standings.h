@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a league's results say of its sides and pairs. Only seeds of which a pair has played both
 // matches to their end count, here and in every column, so that no side gains by its colours; what
-// is left out is told. Goal differences are in goals a match: the mean of a seed's two matches.
+// is left out is reported. Goal differences are in goals a match: the mean of a seed's two matches.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // CMA-ES (covariance matrix adaptation) by Debian's python3-cmaes, in a child process that is asked
-// for points and told their gains. The same seed asks for the same points.
+// for points and given their gains. The same seed asks for the same points.
 #pragma once
 
 #include <cstdio>

@@ -25,7 +25,7 @@ struct SearchResult {
 
 // The gain of a point; greater is better, must be finite.
 using Gain = std::function<double(const std::vector<double>&)>;
-// Told after each trial: how many were made, and the best gain.
+// Called after each trial: how many were made, and the best gain.
 using Listener = std::function<void(int, double)>;
 
 // Errors: a journal of another search, or one that cannot be written.

@@ -45,7 +45,7 @@ class LeafCounter {
   std::uint32_t frames() const { return frames_; }    // taken
   std::uint32_t decided() const { return decided_; }  // of these, with a leaf
   const std::map<std::string, LeafCount>& byName() const { return byName_; }
-  // Into the tree's counts. False where a leaf's place was not told.
+  // Into the tree's counts. False where a leaf's place was not given.
   bool putInto(DecisionTree& tree) const;
 
  private:

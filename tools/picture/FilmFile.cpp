@@ -106,7 +106,7 @@ int FilmFile::Encoder::encode(const AVFrame* next) {
 }
 
 Expected<FilmFile> FilmFile::create(const std::string& path, cv::Size size, int framesPerSecond) {
-  av_log_set_level(AV_LOG_QUIET);  // what fails is told by us, in one line
+  av_log_set_level(AV_LOG_QUIET);  // what fails is reported by us, in one line
   auto encoder = std::make_unique<Encoder>();
   encoder->path = path;
   int result = encoder->openCodec(size, framesPerSecond);

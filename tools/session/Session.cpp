@@ -251,7 +251,7 @@ std::string stuckHow(const Ends& ends, const ThreadPool& pool) {
          (script ? " (a script in a long call?)" : "");
 }
 
-// Who ends last has often only lost the others: the first cause is told.
+// Who ends last has often only lost the others: the first cause is reported.
 std::string troubleOf(const Ends& ends, const ThreadPool& pool) {
   const std::string when = "; last: " + pool.agentSaid.when();
   if (!ends.worldAlive && ends.world >= 128)

@@ -60,7 +60,7 @@ struct SessionOptions {
   std::string driver;     // socket of who drives the robot; empty: the behaviours play
   std::vector<OtherRobot> others;
   sim::Staging staging;     // places and throws beside the scenario's
-  bool keepFrames = false;  // without `log`: SessionTalk::frames is told of frames without images
+  bool keepFrames = false;  // without `log`: SessionTalk::frames receives frames without images
   bool keepAll = false;     // and of those of all other robots
 
   bool keepsLog() const { return !log.empty() || keepFrames; }

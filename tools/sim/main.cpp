@@ -88,8 +88,8 @@ void tellLine(const std::string& line) {
   std::fflush(stdout);
 }
 
-// Goals are told as they fall: "goal red 19.633"; what hands do is told to the user, and who rules
-// from outside hears of a ball that is in one.
+// Goals are reported as they fall: "goal red 19.633"; interventions are reported to the user, and
+// who rules from outside hears of a ball that is in one.
 void tell(const MatchEvent& event) {
   const double now = event.time.seconds();
   if (event.kind == EventKind::goal)
@@ -206,7 +206,7 @@ LogOptions truthLogOptions() {
   return options;
 }
 
-// A log that cannot be written any more is told once, and the match goes on.
+// A log that cannot be written any more is reported once, and the match goes on.
 void watchLog(const LogWriter& log, ServerHooks& hooks) {
   hooks.beforeStep = [&log, before = hooks.beforeStep, reported = false](TimeUs now) mutable {
     before(now);

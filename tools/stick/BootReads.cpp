@@ -10,7 +10,7 @@
 namespace kelpie::stick {
 namespace {
 
-// Bytes a second of a Memory Stick of the first kind: 350 KB/s is told as the average
+// Bytes a second of a Memory Stick of the first kind: 350 KB/s is stated as the average
 // (hardwaresecrets.com, Memory Cards Tutorial), 20 MHz on one line allow 2.5 MB/s.
 constexpr double kUsual = 350e3;
 constexpr double kFastest = 2.5e6;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The robot writes EMON.LOG when a program of the stick dies: registers, then the words of the
-// stack. Read are lines of these forms, told by a log of a crash and by the reader of StackedIt
+// stack. Read are lines of these forms, known from a log of a crash and by the reader of StackedIt
 // (Griffith University, 2003), wherever they stand:
 //
 //   badvaddr: $8: 0x73692067, epc:$14: 0x2260a884      exception registers, cause:$13 with them

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One line for a driver: the time, what holds the robot up, what it was told, does and sees. What
-// matters most stands first, since a narrow terminal cuts the end off. Keeps nothing.
+// One line for a driver: the time, what holds the robot up, what it was commanded, does and sees.
+// What matters most stands first, since a narrow terminal cuts the end off. Keeps nothing.
 #pragma once
 
 #include <string>

@@ -113,7 +113,7 @@ class Estimator {
     return robustFit(problem);
   }
 
-  // One after the other, the least told first: what goes with it may then be told.
+  // One after the other, the least certain first: what goes with it may then be observable.
   void leaveOut() {
     const Numbers recorded = valuesOf(log_.config->body);
     for (;;) {

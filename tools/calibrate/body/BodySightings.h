@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a standing robot saw what, in pixels, beside what it was on the field: of beacons the
 // border between the bands and both their ends, the posts of goals, points of painted lines, the
-// carpet's end. Which line a point lies on is told by the present estimate: wrong where that is
+// carpet's end. Which line a point lies on is decided by the present estimate: wrong where that is
 // further off than half the way to the next line.
 #pragma once
 

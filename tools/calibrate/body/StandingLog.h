@@ -31,8 +31,8 @@ struct StandingLog {
   std::string lacks;         // what of the log could not be read; the other frames are taken
 };
 
-// An error says in one line why nothing can be told: no frames, no stand of 5 s, a head that does
-// not rest, images that were not kept.
+// An error says in one line why nothing can be estimated: no frames, no stand of 5 s, a head that
+// does not rest, images that were not kept.
 Expected<StandingLog> readStanding(const std::string& path);
 
 }  // namespace kelpie::calibrate

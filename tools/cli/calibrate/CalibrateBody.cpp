@@ -55,7 +55,7 @@ std::string valueFor(const Estimated& reported) {
                       : fmt::format("\"{:.3f}{}\"", reported.value, unit);
 }
 
-// Lens and body in sections of their own; only what was told.
+// Lens and body in sections of their own; only what was estimated.
 std::string parameterFile(const std::vector<Estimated>& unknowns, const std::string& heading) {
   const std::string kLens = "lens.";
   std::string body = "[body]\n";

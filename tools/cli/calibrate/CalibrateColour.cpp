@@ -115,7 +115,7 @@ Expected<vision::ColourTable> makeTable(const ColourOptions& options, std::strin
   return calibration->colour;
 }
 
-// An option that has nothing to act on is a slip: told, not passed over.
+// An option that has nothing to act on is a slip: reported, not passed over.
 Status checkUse(const CommandLine& colour, const std::string& input) {
   const bool boxes = endsIn(input, ".txt");
   if (colour.count("--ring") > 0 && !boxes)

@@ -59,7 +59,7 @@ class Beliefs {
   ImageLag lag_;
 };
 
-// A terminal is told how far it is: an image takes a few ms, but an hour of them has 108000.
+// A terminal shows how far it is: an image takes a few ms, but an hour of them has 108000.
 Status writeFrames(const Recording& recording, const gps::GpsParams& params, agent::FrameLoop& loop,
                    LogWriter& log) {
   Progress progress("import", "frames");

@@ -123,7 +123,8 @@ void nameFiles(const PlayOptions& options, double seconds) {
                options.file("match.mp4"));
 }
 
-// What is wrong with the options is told before anything is started or an earlier match replaced.
+// What is wrong with the options is reported before anything is started or an earlier match
+// replaced.
 Status checkConfig(const SessionOptions& session) {
   ConfigOptions config;
   config.field = session.field;
@@ -137,7 +138,7 @@ Status checkConfig(const SessionOptions& session) {
   return session.pycode.empty() ? Status(Done{}) : checkScripts(session.pycode);
 }
 
-// A keeper of the other team is told what it is by its parameters.
+// A keeper of the other team knows what it is by its parameters.
 void addOpponent(PlayOptions& options) {
   if (options.opponent == "none") return;
   const PlayerKind kind =
@@ -254,7 +255,7 @@ ImagesKept imagesKept(const std::string& word) {
   return word == "planes" ? ImagesKept::planes : ImagesKept::some;
 }
 
-// What was played is told all the same; a match without a goal is done, too.
+// What was played is reported all the same; a match without a goal is done, too.
 int exitCode(const PlayOptions& options, const SessionResult& result) {
   if (!result.logTrouble.empty()) return fail(result.logTrouble, kExitMachine);
   // A match in real time ends by an interrupt; any other is cut short by it.

@@ -18,7 +18,7 @@ std::string commandOf(const CLI::App& app) {
   return app.get_name() + (chosen.empty() ? "" : " " + commandOf(*chosen.front()));
 }
 
-// A word that is not known is told first: what seems to be missing is often only misspelt.
+// A word that is not known is reported first: what seems to be missing is often only misspelt.
 std::string whatIsWrong(const CLI::App& app, const CLI::Error& error) {
   const auto unknown = app.remaining(true);
   const bool missing = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError);

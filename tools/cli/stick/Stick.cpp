@@ -39,7 +39,7 @@ struct StickOptions {
   bool keepJamDetection = false;
 };
 
-// What a stick is made of, and what a person is told of it.
+// What a stick is made of, and what is reported to a person.
 struct Parts {
   stick::StickContents contents;
   std::string player;       // empty without --object

@@ -32,7 +32,7 @@ struct Found {
   double roll = 0.0;  // deg, of the body
   double rollSd = 0.0;
   // deg, of the image's middle in a camera that looks straight ahead: nod and principal point,
-  // which shift an image alike and are told apart by little, count together.
+  // which shift an image alike and can hardly be distinguished, count together.
   double ahead = 0.0;
   double focal = 0.0;  // percent
   double focalSd = 0.0;

@@ -51,7 +51,7 @@ class GettingUp {
 struct Fallen {
   bool found = false;         // that it lies, or was up again before
   bool lay = false;           // it was at rest on a side
-  bool wrongSide = false;     // told another when it was
+  bool wrongSide = false;     // another was reported while it was
   double seconds = kWatched;  // until it stood
 };
 

@@ -28,11 +28,11 @@ struct Grabbed {
   learn::GrabEnd end = learn::GrabEnd::missed;
   bool keptTurning = false;
   bool keptAhead = false;
-  int reported = 0;  // windows that were told rightly,
+  int reported = 0;  // windows that were reported correctly,
   int windows = 0;
   int reportedEmpty = 0;
   int emptyWindows = 0;
-  double emptySeconds = 1.0;  // from taking the ball away until that is told
+  double emptySeconds = 1.0;  // from taking the ball away until that is reported
 };
 
 learn::GrabPlace placeOf(Rolls rolls, Random& random) {

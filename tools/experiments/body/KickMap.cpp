@@ -206,7 +206,7 @@ class Judge {
     json[name + "_within_two_sd_share"] = two.value();
   }
 
-  // How far the share of balls that went is from the chances told, in bins of chances.
+  // How far the share of balls that went is from the reported chances, in bins of chances.
   static double calibrationError(const std::vector<Compared>& reported) {
     double error = 0.0;
     for (std::size_t bin = 0; bin < kBins; ++bin) {

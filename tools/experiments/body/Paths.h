@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a body really walked, and what its odometry told of it.
+// What a body really walked, and what its odometry estimated.
 #pragma once
 
 #include "tools/sim/bodies/WalkingBody.h"

@@ -17,7 +17,7 @@ using calibrate::SheetPixel;
 
 constexpr std::array<const char*, 3> kNames = {"y", "cr", "cb"};
 constexpr std::array<const char*, 2> kCarpets = {"frame3", "frame4"};  // frame 1 shows a carton
-// With one colour of surface gain and offset cannot be told apart: the published polynomial gets
+// With one colour of surface gain and offset cannot be distinguished: the published polynomial gets
 // the weight of a twentieth of the pixels.
 constexpr double kPriorShare = 0.05;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop over an experiment's trials: each has a number, a seed of its own, and is told to
+// The loop over an experiment's trials: each has a number, a seed of its own, and is reported to
 // whoever waits.
 #pragma once
 

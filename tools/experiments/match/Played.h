@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A match as experiments judge it: in the time of each image the true places of all robots and the
-// ball, beside what the first robot's agent saw, decided and did in that frame. Truth is never told
-// to an agent; here it is only read back.
+// ball, beside what the first robot's agent saw, decided and did in that frame. Truth is never
+// given to an agent; here it is only read back.
 #pragma once
 
 #include <optional>

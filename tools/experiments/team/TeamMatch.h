@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A match of two teams as experiments judge it: the true places at each image, the referee's calls,
-// and what each robot believed, told its team and did. Truth is never told to an agent; here it is
+// and what each robot believed, sent its team and did. Truth is never given to an agent; here it is
 // only read back.
 #pragma once
 

@@ -76,7 +76,7 @@ void ViewMaker::claimTilt() {
     lean.tilt = lean.tilt + Angle::deg(lean_.gaussian(0.0, sd));
     lean.roll = lean.roll + Angle::deg(lean_.gaussian(0.0, sd));
   }
-  // Nobody has told a robot how it leans: it knows as much as after it is switched on.
+  // No robot is informed of how it leans: it knows as much as after it is switched on.
   claimed_ = view_.real.body.lean.level() ? CameraTilt{} : gps::startingTilt({});
   if (sd > 0.0) claimed_.tiltVariance = claimed_.rollVariance = maths::square(Angle::deg(sd).rad());
 }

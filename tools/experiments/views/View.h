@@ -16,7 +16,7 @@
 
 namespace kelpie::experiments {
 
-// What the robot is told of its body's tilt and roll (FrameInput::cameraTilt), deg.
+// What the robot knows of its body's tilt and roll (FrameInput::cameraTilt), deg.
 struct TiltClaim {
   double sd = 0.0;  // of both; 0: of a level body that of settled play, else that of its start
   // Instead of it: an sd drawn between the two for each view, its log evenly, and from it how the

@@ -58,7 +58,7 @@ struct KickRun {
 // The ball is put down at that place of a standing robot, which then kicks.
 KickRun kickFrom(Point2<Robot> place, MotionKind motion, const KickStart& standing);
 // The ball is put so that it is at that place when the motion of a walking robot begins; directions
-// are told from where it looks by then.
+// are measured from where it looks by then.
 KickRun kickInStep(Point2<Robot> place, MotionKind motion, const KickStart& walking,
                    const WalkRequest& walk);
 
@@ -66,8 +66,8 @@ KickCell cellOf(const std::vector<KickRun>& runs);
 // The best place and those about it.
 KickWindow windowOf(const KickGrid& grid);
 
-// Is told how many of how many runs are done, from one thread at a time; `false` ends the work, and
-// the map is then empty.
+// Is called with how many of how many runs are done, from one thread at a time; `false` ends the
+// work, and the map is then empty.
 using KickMapListener = std::function<bool(std::size_t done, std::size_t all)>;
 KickMap learnKickMap(const KickMapPlan& plan, const KickMapListener& reported);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot walks at a ball, lying or rolling, grabs it, and keeps it while it turns and walks. It is
-// told where the ball is by its true place, some time late and a little wrong, as a vision would:
+// A robot walks at a ball, lying or rolling, grabs it, and keeps it while it turns and walks. It
+// knows where the ball is by its true place, some time late and a little wrong, as a vision would:
 // what is tried is the body.
 #pragma once
 

@@ -132,7 +132,7 @@ actuator::WalkOdometry fitOdometry(const std::vector<PathSample>& samples) {
     turn.add(weighted(sample.turn, sample.weight), sample.weight * sample.real.turn);
   }
   // Two dozen models differ in fewer ways than legs have joints: without it turns of models that
-  // the fit had not seen were told 3.2 deg off, with it 2.9.
+  // the fit had not seen were estimated 3.2 deg off, with it 2.9.
   constexpr double kHeld = 3e-4;
   const std::size_t side = numbersOf(actuator::SideReach{}).size();  // they come last
   forward.holdBack(numbersOf(actuator::AlongTerms{}).size() - 2 * side, kHeld);

@@ -9,12 +9,12 @@
 
 namespace kelpie::learn {
 
-// From feet to real speed; and how the way is told.
+// From feet to real speed; and how the way is estimated.
 actuator::WalkCalibration fitCalibration(const std::vector<SpeedSample>& samples);
 actuator::WalkOdometry fitOdometry(const std::vector<PathSample>& samples);
 // What of the load is the walk's own.
 actuator::FreeLoad fitFreeLoad(const std::vector<SpeedSample>& samples);
-// What is left of the way when `odometry` has told it is a swing.
+// What is left of the way when `odometry` has estimated it is an oscillation.
 actuator::WalkOscillation fitOscillation(const std::vector<OscillationSample>& samples,
                                          const actuator::WalkOdometry& odometry,
                                          const actuator::StrokeLimits& max);

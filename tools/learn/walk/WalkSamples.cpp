@@ -20,7 +20,7 @@ constexpr int kStart = 36;     // messages until the speed is even
 constexpr int kMeasured = 75;  // 2.4 s
 constexpr int kWay = 16;       // half a second
 // Of a way whose command began earlier. Most of what is walked is even, and with 1 the fit took
-// the starts and stops for it: an even turn was told 2 % too far.
+// the starts and stops for it: an even turn was estimated 2 % too far.
 constexpr double kEven = 4.0;
 constexpr double kAlone = 2.0;  // of a way in one direction: nothing says then what others add
 
@@ -57,7 +57,7 @@ actuator::WalkOdometry jointsAlone() {
   return odometry;
 }
 
-// Nothing of the set is fitted yet: the feet go as fast as they are told.
+// Nothing of the set is fitted yet: the feet go as fast as commanded.
 actuator::WalkSet unfitted(const actuator::WalkSet& set) {
   actuator::WalkSet exact = set;
   exact.calibration = {};

@@ -17,7 +17,7 @@ struct SpeedSample {
 };
 
 // Half a second of a walk whose commands change: the numbers of AlongTerms and AcrossTerms that its
-// way is told by (OdometryTerms.h), on the mean, and the way.
+// way is estimated from (OdometryTerms.h), on average, and the way.
 struct PathSample {
   std::vector<double> forward;
   std::vector<double> left;

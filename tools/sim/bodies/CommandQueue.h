@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What an agent sent to a robot's effectors, played tick by tick as OPEN-R does: command vectors in
-// their turn, joints that none names stay where they were told to be.
+// their turn, joints that none names stay where they were commanded to be.
 #pragma once
 
 #include <cstdint>

@@ -155,7 +155,7 @@ void KinematicBodies::holdUp(const Ball& at) {
 }
 
 // Who kicks or holds the ball touches it more than who stands in its way in that tick. Off whom a
-// kicked ball bounces at once is told a tick later: it touched it last.
+// kicked ball bounces at once is reported a tick later: it touched it last.
 void KinematicBodies::tickBallAmongRobots() {
   ballToucher_.reset();
   std::vector<const RobotModel*> touching;

@@ -40,7 +40,7 @@ class WalkingBody {
     for (int i = 0; i < kStartMessages; ++i) step({});
   }
 
-  // 32 ms; what the actuator told at its end.
+  // 32 ms; what the actuator reported at its end.
   MotionOutput step(const Command& command) {
     for (int tick = 0; tick < kTicksPerMessage; ++tick) world_->tick();
     MotionInput input;

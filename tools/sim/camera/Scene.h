@@ -94,7 +94,7 @@ struct RobotLook {
 
 // The ERS-7 is white and glossy: a red uniform's edges come out yellow and pink in small places,
 // and were taken for beacons (checklist B-2.2.1.1). How wide, long and frequent those places are is
-// not told: [chosen].
+// not stated: [chosen].
 struct ShineParams {
   bool on = true;
   double width = 0.6;      // cm, mean

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The physical robots and ball as the world needs them: servos get what agents sent, sensors get
 // what the bodies feel with their noise. A hand holds a trunk by a spring; the tail, which carries
-// nothing, goes where it is told at once.
+// nothing, goes where it is commanded at once.
 #pragma once
 
 #include <optional>

@@ -12,7 +12,7 @@ namespace {
 constexpr double kBallStays = 1.0;    // cm that the ball may move before the whistle
 constexpr double kStray = 30.0;       // cm from where a robot waits
 constexpr double kGone = 5.0;         // s without a packet: nobody is there any more
-constexpr double kLateReport = 10.0;  // s after a ball was put back in which its out may be told
+constexpr double kLateReport = 10.0;  // s after a ball was put back: its out may come so late
 
 const char* wordsFor(net::ControlPenalty penalty) {
   constexpr std::array<const char*, 11> kWords = {"",
@@ -124,7 +124,7 @@ void ControlledMatch::followPenalties() {
   }
 }
 
-// The world has put a ball back that went out before anybody can have told of it.
+// The world has put a ball back that went out before anybody can have reported it.
 void ControlledMatch::followDropIn(const net::GameControlData& before) {
   const bool anew = control_.dropInSeconds < before.dropInSeconds;
   const bool done = putBack_ && (scene_.time - *putBack_).seconds() < kLateReport;

@@ -29,7 +29,7 @@ class ControlledMatch {
   Verdict step(const MatchScene& scene, Score& score);
   // The second half is finished; or the first, and the controller has fallen silent.
   bool finished() const { return finished_; }
-  // What every robot is told: all states are initial until the controller is heard.
+  // What every robot hears: all states are initial until the controller is heard.
   const net::GameControlData& control() const { return control_; }
   std::vector<MatchEvent> takeEvents();
 

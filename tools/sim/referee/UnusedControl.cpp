@@ -10,7 +10,7 @@
 namespace kelpie::sim {
 namespace {
 
-constexpr std::size_t kMaxLines = 40;  // noise of all kinds is not told for ever
+constexpr std::size_t kMaxLines = 40;  // noise of all kinds is not reported for ever
 
 std::string wantedVersions() {
   std::string text = "Kelpie plays version";

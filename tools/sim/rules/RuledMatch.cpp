@@ -15,7 +15,7 @@ constexpr double kBallStays = 1.0;  // cm that the ball may move before the whis
 std::size_t numberOf(TeamColour team) { return team == TeamColour::red ? 0 : 1; }
 std::uint8_t clipped(int score) { return static_cast<std::uint8_t>(std::clamp(score, 0, 255)); }
 
-// Whether it was a goalie that was pushed is not told apart.
+// Whether it was a goalie that was pushed is not distinguished.
 net::ControlPenalty controlPenalty(Offence offence) {
   switch (offence) {
     case Offence::ownBox: return net::ControlPenalty::illegalDefender;

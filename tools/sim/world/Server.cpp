@@ -189,7 +189,7 @@ Status Server::refuse(std::size_t robot, const std::string& why) {
   return Error{why};
 }
 
-// Whoever started an agent tells that it has died; here it is told when it is there again.
+// Whoever started an agent reports that it has died; here it is reported when it is there again.
 Status Server::lose(std::size_t robot, const std::string& why) {
   if (!hooks_.arrival) return Error{nameOf(robot) + ": " + why};
   agents_[robot].present = false;
