@@ -26,7 +26,7 @@ struct WalkState {
 
 void stepWalk(const WalkRequest& request, const ActuatorParams& params, WalkState& state);
 
-// Lays the walk aside for a motion: the feet have stopped.
+// Suspends the walk for a motion: the feet have stopped.
 void stopWalk(WalkState& state);
 
 inline bool standing(const WalkState& state) { return standing(state.phase) && still(state.feet); }

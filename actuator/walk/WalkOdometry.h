@@ -57,7 +57,7 @@ struct AlongTerms {
   }
 };
 
-// Of the way aside and of the turn, which are the opposite for the mirror image.
+// Of the lateral way and of the turn, which are the opposite for the mirror image.
 struct AcrossTerms {
   double joints = 0.0;
   double left = 0.0;

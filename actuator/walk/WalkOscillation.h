@@ -20,8 +20,8 @@ struct Wave {
 };
 
 // How one quantity differs, while the robot walks, from what its legs or its odometry say: by
-// stepping at all, and at the whole stroke ahead, aside and in a turn (BodyOscillation.h); rad or
-// cm.
+// stepping at all, and at the whole stroke ahead, sideways and in a turn (BodyOscillation.h); rad
+// or cm.
 struct OscillationCurve {
   double step = 0.0;
   double forward = 0.0;
@@ -34,7 +34,7 @@ struct OscillationCurve {
   // Two times more a step than the waves above.
   Wave stepRipple;
   Wave forwardRipple;
-  // Of the stroke aside and in a turn, the same either way.
+  // Of the stroke sideways and in a turn, the same either way.
   Wave leftEither;
   Wave turnEither;
 

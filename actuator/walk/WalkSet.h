@@ -96,8 +96,8 @@ struct SpeedCurve {
   }
 };
 
-// And across: a robot that turns also moves aside, one that steps aside also turns (mirrored for
-// the other side), and less or more so while it goes forward.
+// And across: a robot that turns also moves sideways, one that steps sideways also turns (mirrored
+// for the other side), and less or more so while it goes forward.
 struct WalkCalibration {
   SpeedCurve forward;
   SpeedCurve back;

@@ -172,7 +172,7 @@ void expectKick(const FrameInput& input, const BallFilterParams& params, BallTra
 
 // A ball that the body feels between chin, chest and forelegs is where those hold it, however the
 // robot moves. Without this the track stayed on the carpet while the robot turned with the ball,
-// and 10 cm aside of it the search began after the kick.
+// and 10 cm beside it the search began after the kick.
 void hold(const BallFilterParams& params, BallState& state) {
   const Vector2 at(0.0, params.heldAhead);
   const double variance = maths::square(params.heldSd);

@@ -38,8 +38,8 @@ struct BallFilterParams {
   double stopSpeed = 10.0;      // cm/s
   double minSd = 1.5;           // cm, least error of one sighting
   // What one is wrong by in matches: 2 to 4 % of its distance and 1 deg while the head moves by
-  // less than 2.5 deg a frame, 10 % and 2 deg at 17. Believed to 3 %, what a look aside and back
-  // showed of a lying ball made it roll at 1 m/s: in 24 matches in a third of the frames.
+  // less than 2.5 deg a frame, 10 % and 2 deg at 17. Believed to 3 %, what a look to the side and
+  // back showed of a lying ball made it roll at 1 m/s: in 24 matches in a third of the frames.
   double minShare = 0.02;  // of its distance: least and most error of one,
   double maxShare = 0.04;
   double sharePerHeadSpeed = 0.35;  // and more per rad a frame of the head's speed

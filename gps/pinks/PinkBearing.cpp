@@ -43,8 +43,8 @@ PinkBearings bearingsOf(const GpsIn& in, GpsCounts& counts) {
 Angle headingAt(const PinkBearing& seen, double distance) {
   const Point2<Robot> along = robotPolar(1.0, seen.heading);
   const double ahead = seen.eye.x * along.x + seen.eye.y * along.y;
-  const double aside2 = maths::square(seen.eye.norm()) - ahead * ahead;
-  const double reach = std::sqrt(std::max(1.0, distance * distance - aside2));
+  const double lateral2 = maths::square(seen.eye.norm()) - ahead * ahead;
+  const double reach = std::sqrt(std::max(1.0, distance * distance - lateral2));
   return bearing(seen.eye + along * (reach - ahead));
 }
 

@@ -84,7 +84,7 @@ struct LandmarkGates {
 struct ModeParams {
   double outlierWeight = 1e-2;  // of the copy that is not updated: a false sighting's odds
   // The same where the last sighting was false and other landmarks were not: a goal behind a robot
-  // looks aside in every frame, and after eight a mode elsewhere was the best. Where no landmark
+  // looks shifted in every frame, and after eight a mode elsewhere was the best. Where no landmark
   // fits, the robot was carried.
   double repeatedOutlierWeight = 0.3;
   double sightingFade = 0.3;  // s in which a record of sightings falls to 1/e
