@@ -55,7 +55,7 @@ def swipe(of='up', left_is=1.0):
 
 
 def contest(elsewhere, grab):
-    """Alg 5.3 and 5.6: UPenn 35 to 70 deg aside, else as given."""
+    """Alg 5.3 and 5.6: UPenn at 35 to 70 deg, else as given."""
     return within('up-field', 'up', 35.0, 70.0, upenn(), elsewhere(grab))
 
 

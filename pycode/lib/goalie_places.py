@@ -63,7 +63,8 @@ def facing(place, ball) -> Place:
 
 def bisector_place(field, ball) -> Place:
     """On the bisector at y = 20 cm (thesis 2006 section 4.3.1, checklist G15); with a ball nearer
-    to the line than 40 cm, half as far from it as the ball. Never farther aside than the mouth."""
+    to the line than 40 cm, half as far from it as the ball. Never farther to the side than the
+    mouth."""
     ball_y = max(ball[1], 1.0)
     y = clamp(0.5 * ball_y, MIN_Y, STAND_Y)
     dx, dy = bisector(field, (ball[0], ball_y))

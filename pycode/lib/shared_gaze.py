@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# A gaze that keeps the ball in the image but not in its middle: turned aside and up, as far as the
-# ball stays whole, so that a landmark comes into the image as well. Whoever only looks at the ball
-# sees what happens to be behind it. A wrong pose turns it to where no landmark is,
+# A gaze that keeps the ball in the image but not in its middle: turned to the side and up, as far
+# as the ball stays whole, so that a landmark comes into the image as well. Whoever only looks at
+# the ball sees what happens to be behind it. A wrong pose turns it to where no landmark is,
 # which costs nothing: the ball is still seen.
 import math
 
@@ -46,8 +46,8 @@ def up_for(distance) -> float:
 
 
 class SharedGaze:
-    """Keeps how far it turns aside, worked out in every third frame: six landmarks are a twelfth of
-    what an attacker may spend, and in a tenth of a second they hardly move."""
+    """Keeps how far it turns to the side, worked out in every third frame: six landmarks are a
+    twelfth of what an attacker may spend, and in a tenth of a second they hardly move."""
 
     def __init__(self):
         self.lateral, self.frames = 0.0, 0

@@ -27,7 +27,7 @@ def towards(point: Point, near=0.0, speed=SPEED) -> kelpie.WalkRequest:
 
 
 def facing(point: Point, lateral, near=0.0, speed=SPEED) -> kelpie.WalkRequest:
-    """Walks to a point in any direction while turning by `aside` deg; stops `near` cm before."""
+    """Walks to a point in any direction while turning by `lateral` deg; stops `near` cm before."""
     away = math.hypot(*point)
     pace = min(speed, SLOW_DOWN * max(0.0, away - near)) / max(away, 1e-6)
     return kelpie.WalkRequest(forward=pace * point[1], left=-pace * point[0],

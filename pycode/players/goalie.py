@@ -147,7 +147,7 @@ class Goalie(RuleMachine):
         return self.acting(world, walk=filtered(self.now, walk, self.STEPPED))
 
     def adjust(self, world) -> kelpie.Command:
-        """Into the way of the ball where it crosses the own line: a step aside, seldom more."""
+        """Into the way of the ball where it crosses the own line: a side step, seldom more."""
         shot = coming(world, rules.COMING_BESIDE, rules.COMING_SHORT, 0.0)
         place = beside(world.pose, shot.lateral if shot is not None else 0.0)
         return self.acting(world, walk=self.skill.step(world, facing(place, self.now.ball)))

@@ -36,8 +36,8 @@ def inside(world, walk, margin=MARGIN) -> kelpie.WalkRequest:
 
 
 def straight_back(now, walk) -> kelpie.WalkRequest:
-    """The filter of a step back: as far as the goal line, straight or not at all. Aside, as the box
-    may ask, its legs take the ball along."""
+    """The filter of a step back: as far as the goal line, straight or not at all. Sideways, as the
+    box may ask, its legs take the ball along."""
     walk.forward = min(inside(now.world, walk, 0.0).forward, 0.0)
     return walk
 

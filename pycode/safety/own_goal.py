@@ -73,7 +73,7 @@ def hold_position(now, walk) -> kelpie.WalkRequest:
 
 def round_ball(field, start, place, ball) -> Place:
     """The next place of a way back that does not take a ball before the goal along, which lies
-    there: aside first, by the nearer side, then back, then to the place."""
+    there: sideways first, by the nearer side, then back, then to the place."""
     left, right, _, _ = box(field, MARGIN)
     x, y, heading = place
     if (abs(ball[0] - middle(field)[0]) > 0.5 * field.goal_width or start[1] - y < ROUND_DONE or

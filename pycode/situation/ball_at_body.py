@@ -22,7 +22,7 @@ NOTHING = 60.0       # cm and so far when there is nothing at all
 
 
 class Region:
-    """A rectangle of the robot frame, in cm: `aside` to either side, from `behind` to `ahead`."""
+    """A rectangle of the robot frame, in cm: `lateral` to either side, from `behind` to `ahead`."""
 
     def __init__(self, lateral, behind, ahead):
         self.lateral, self.behind, self.ahead = lateral, behind, ahead
@@ -31,7 +31,7 @@ class Region:
         return abs(x) < self.lateral and self.behind < y < self.ahead
 
 
-PAWS = Region(6.0, 0.0, 13.0)        # between the paws; by the rules 4 aside and 11 ahead
+PAWS = Region(6.0, 0.0, 13.0)        # between the paws; by the rules 4 to the side, 11 ahead
 CHIN = Region(16.0, 0.0, 16.0)       # before the chest and not beside it
 BODY = Region(16.0, -TRUNK, 22.0)    # at the body: past who stands there it hardly gets
 

@@ -74,7 +74,7 @@ def choose(world, before=None) -> Choice:
 
 
 def possible(world, ball, stand) -> bool:
-    """Inside the box before and after the kick; between goal and ball, since who turns aside lets
+    """Inside the box before and after the kick; between goal and ball, since who turns away lets
     the ball past; and with landmarks in view."""
     outwards = direction(middle(world.field), ball)
     return (abs(wrap(stand.heading - outwards)) < FACING and

@@ -17,7 +17,7 @@ FULL = 10.0              # a cell with fewer points does not block a way
 CORRIDOR = 30.0          # cm, a robot's width and some
 GAP_REACH = 50.0         # cm that must be free
 GAP_WIDTH = 20.0         # deg
-GAP_SIDE = 110.0         # deg from straight ahead; farther aside is no way ahead
+GAP_SIDE = 110.0         # deg from straight ahead; farther off is no way ahead
 OWN_BODY = 12.0          # cm; what was seen nearer is walked over or the robot itself
 
 Counted = tuple[float, float, float]  # x and y in cm on the field, count

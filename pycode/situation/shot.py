@@ -44,7 +44,7 @@ def speed(ball) -> float:
 
 
 class Shot:
-    """A ball on its way to the own goal: `aside` (cm right of the goalie where it crosses the
+    """A ball on its way to the own goal: `lateral` (cm right of the goalie where it crosses the
     goalie's own x axis) and `seconds` until then, `mouth_x` where it crosses the goal line,
     `speed` (cm/s). None of it if coming() says no."""
 

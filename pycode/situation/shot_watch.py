@@ -11,13 +11,13 @@ SPEED = 35.0             # [17.5, 70] cm/s; 12 in 2005. A slower ball is walked 
                          # time
 SOONEST = 0.1            # s, 3 frames; later than that no block is in time
 LATEST = 0.8             # s, 27 frames; before it, walk
-CENTRE = 9.0             # cm aside, to which the wide block is right
+CENTRE = 9.0             # cm to the side, to which the wide block is right
 REACH = 36.0             # cm; 30 in 2005. block_left covers 32 (docs/physical-body.md) and a radius
 STAND_SPEED = 160.0      # [80, 320] cm/s; up to there a ball is stopped standing, if that is
                          # enough: on its feet the goalie clears before the attacker comes, but a
                          # block takes 1.7 s. Of 96 balls 3 went in, 7 when every one was blocked
 STAND = 5.0              # [2.5, 10] cm covered by who stands,
-STEP = 20.0              # [10, 40] cm/s of a step aside,
+STEP = 20.0              # [10, 40] cm/s of a side step,
 STEP_LATE = 0.25         # s until it begins
 BESIDE = 6.0             # cm beside the mouth: the velocity is off by some degrees
 SHORT = 10.0             # [5, 20] cm; a ball that would stop that short of the line may still go in
@@ -44,7 +44,7 @@ def block_for(shot: Shot) -> int:
 
 
 def stepped(seconds) -> float:
-    """cm aside that a goalie on its feet covers of a ball that comes in that time."""
+    """cm to the side that a goalie on its feet covers of a ball that comes in that time."""
     return STAND + STEP * max(0.0, seconds - STEP_LATE)
 
 

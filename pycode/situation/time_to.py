@@ -31,7 +31,7 @@ APPROACH = 40.0          # cm, of a grab that is reported
 
 
 def seconds(distance, lateral=0.0, obstacles=0.0, stuck=False) -> float:
-    """For a point so many cm away and deg aside, with that count on the way."""
+    """For a point so many cm away and deg off, with that count on the way."""
     on_the_way = min(obstacles, MANY) if obstacles >= FEW else 0.0
     return (distance / SPEED + abs(lateral) / TURN_SPEED + OBSTACLE_S * on_the_way +
             (STUCK_S if stuck else 0.0))

@@ -15,7 +15,7 @@ WALK = 34.0         # cm/s
 TURN_GAIN = 3.0     # deg/s per deg
 TURN = 150.0        # deg/s
 STAND_OFF = 4.0     # cm more from the ball until side and heading fit:
-SIDE_FIRST = 4.0    # cm aside,
+SIDE_FIRST = 4.0    # cm to the side,
 TURN_FIRST = 25.0   # deg
 
 

@@ -23,7 +23,7 @@ from skills.walk.roam import Roam
 
 FRAMES_PER_S = 30.0  # 1/s
 FORCED_AT = 120.0      # cm, where a look in a direction is aimed at
-TURN_BEYOND = 45.0     # deg; a forced look that far aside needs the body
+TURN_BEYOND = 45.0     # deg; a forced look that far off needs the body
 BACK_SPEED = -50.0     # cm/s, of the walk back (docs/physical-body.md)
 NEAR = 25.0            # cm; nearer to the belief the robot would push the ball
 INFRARED_HEAD = (0.0, -10.0, -20.0)  # pan, tilt, crane

@@ -14,7 +14,7 @@ class Approach:
     MIN_SPEED = 10.0  # cm/s
     TURN_GAIN = 1.8          # deg/s per deg
     TURN_SPEED = 70.0  # deg/s
-    TURN_FIRST = 50.0        # a ball farther aside: turn on the spot
+    TURN_FIRST = 50.0        # a ball farther off: turn on the spot
     NEAR = 28.0              # distance at which lining up begins
     BEHIND = 22.0            # aim at this far behind the ball, seen from the goal
     TIME = 25.0  # s

@@ -17,7 +17,7 @@ from skills.head.track_ball import TrackBall
 TURN_GAIN = 0.9          # Alg of section 6.3.3: the heading less 10 %, against over-turning
 TURN_SPEED = 120.0       # deg/s while it walks ahead,
 SPIN_SPEED = 200.0       # and on the spot with the turning walk,
-SPIN_FROM = 50.0         # deg: for a ball farther aside,
+SPIN_FROM = 50.0         # deg: for a ball farther off,
 SPIN_UNTIL = 30.0        # until it is no farther than this
 FAST_FROM = 33.0         # [16.5, 66] cm: from there on the fast walk, if the ball is ahead
 FAST_WITHIN = 20.0       # deg,
@@ -41,11 +41,11 @@ START_S = 0.5            # for the motion to begin
 LONGEST_S = 2.0  # s
 PAWS_NEAR = 3.0  # cm,
 PAWS_FAR = 11.0  # cm ahead of the neck: there a gripped ball lies,
-PAWS_LATERAL = 4.0                  # and so far aside (docs/physical-body.md)
+PAWS_LATERAL = 4.0                  # and so far to the side (docs/physical-body.md)
 
 
 def walk_kind(away, lateral, last):
-    """The walk for a point that far away and aside, when `last` is walked. Each is left later than
+    """The walk for a point that far away and off, when `last` is walked. Each is left later than
     it is begun: two walks that took turns every frame cost the odometry 15 deg in a second."""
     if abs(lateral) > (SPIN_UNTIL if last == kelpie.WALK_TURNING else SPIN_FROM):
         return kelpie.WALK_TURNING
@@ -65,7 +65,7 @@ def approach(point, last=kelpie.WALK) -> kelpie.WalkRequest:
 
 def limited(request, lateral) -> kelpie.WalkRequest:
     """What the legs can do of it, no slower ahead than a grab needs, and turned to twice as fast
-    as the thesis has it: 0.9 /s would curve past a ball 30 deg aside."""
+    as the thesis has it: 0.9 /s would curve past a ball 30 deg off."""
     if request.kind == kelpie.WALK_TURNING:
         speed = clamp(3.0 * lateral, -SPIN_SPEED, SPIN_SPEED)
         return kelpie.WalkRequest(turn_deg=speed, kind=kelpie.WALK_TURNING)

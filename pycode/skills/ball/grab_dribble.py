@@ -32,7 +32,7 @@ FEEL = 0.5              # s within which a caught ball is felt (docs/physical-bo
 STEADY = 0.17           # s that it stands before a kick,
 STEADY_MAX = 0.4       # s at most until it is still:
 STILL = 5.0             # cm/s,
-STILL_TURN = 15.0       # deg/s; out of a turn balls went 6 deg aside, out of a
+STILL_TURN = 15.0       # deg/s; out of a turn balls went 6 deg off, out of a
                                   # walk half as far
 TURN_GAIN = 4.0         # deg/s per deg
 MIN_TURN = 25.0       # deg/s: the dribble walk hardly turns slower

@@ -66,7 +66,7 @@ class KickBall(Machine):
         return (y + vy * LATENCY - walked[0] - ahead, -x - vx * LATENCY - walked[1] - left)
 
     def steps(self, ahead, left) -> kelpie.WalkRequest:
-        """To the place of both axes: aside first while the ball would be run over."""
+        """To the place of both axes: sideways first while the ball would be run over."""
         forward = clamp(GAIN * ahead, -SPEED, SPEED)
         if abs(left) > 2.0 * NEAR_SIDE and ahead < TOO_NEAR:
             forward = min(forward, 0.0)

@@ -19,7 +19,7 @@ class Strike:
     MIN_SPEED = 8.0  # cm/s
     SIDE_GAIN = 1.5  # cm/s per cm
     SIDE_SPEED = 7.0  # cm/s
-    SIDE_FIRST = 3.0         # the ball farther aside: do not go closer than STAND_OFF
+    SIDE_FIRST = 3.0         # the ball farther to the side: do not go closer than STAND_OFF
     STAND_OFF = 18.0  # cm
     TURN_GAIN = 1.2  # deg/s per deg
     TURN_SPEED = 30.0  # deg/s

@@ -34,8 +34,8 @@ class EllipseHead(GoalieHead):
         return super().track(world)
 
     def next_landmark(self, world):
-        """Along the axis in which the pose is least sure; far aside, where the near beacons are, in
-        every second glance only (thesis 2004 figure 4.7)."""
+        """Along the axis in which the pose is least sure; far to the side, where the near beacons
+        are, in every second glance only (thesis 2004 figure 4.7)."""
         limit = GOALIE_PAN if self.glances % 2 else Look.FRONT
         return choose_landmark(world, limit, world.head.head_pan_deg)
 

@@ -23,7 +23,7 @@ class Watch:
     # robot lost its heading: 1.31 deg on the mean of 16 matches, 1.20 with these glances.
     GLANCE_FAR = 16.0
     GLANCE_PITCH = -6.0  # deg
-    GLANCE_PAN = 60.0        # aside, when nobody knows where the goal is
+    GLANCE_PAN = 60.0        # to the side, when nobody knows where the goal is
     BALL_HEIGHT = 5.0  # cm
 
 MAX_PAN = 80.0    # deg; a goal farther to a side is not glanced at

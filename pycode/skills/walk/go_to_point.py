@@ -30,7 +30,7 @@ class Challenge:
     SLOW_DOWN = 1.3          # cm/s per cm
     FACE_FIRST = 6.0         # deg; turning on the spot ends
     FACE_AGAIN = 22.0        # deg; turning on the spot begins again
-    FACE_NEAR = 170.0        # deg cm: 3 cm aside
+    FACE_NEAR = 170.0        # deg cm: 3 cm to the side
     STEP_BACK = 15.0         # a point nearer than this and behind is backed to
     TURN_GAIN = 2.0  # deg/s per deg
     TURN_SPEED = 80.0  # deg/s

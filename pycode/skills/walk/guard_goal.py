@@ -27,7 +27,7 @@ class Laziness:
 
 OF_2006 = Laziness(8.0, 3.0, 14.0, 5.0)     # after facts-2005 7.2 and K10
 OF_2004 = Laziness(15.0, 7.0, 20.0, 8.0)    # checklist U14
-NONE = Laziness(2.0, 1.0, 30.0, 20.0)       # a ball comes: no turn where a step aside will do
+NONE = Laziness(2.0, 1.0, 30.0, 20.0)       # a ball comes: no turn where a side step will do
 
 
 def walk_towards(world, place, gain=GAIN, speed=own_box.SPEED) -> kelpie.WalkRequest:
