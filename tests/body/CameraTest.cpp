@@ -305,7 +305,7 @@ double elevationDeg(const CameraPose& camera) {
   return std::asin(rayThrough(camera, {104, 80}).z) / kDegree;
 }
 
-// The camera of a head that looks level ahead (0) or aside.
+// The camera of a head that looks level ahead (0) or to the side.
 CameraPose tilted(double pan, const CameraTilt& tilt) {
   return leaning(posed(0, pan, 0), {10.0, Angle::deg(0), {}}, tilt);
 }
@@ -330,7 +330,7 @@ TEST(LeaningBody, TurnsAboutTheNeckBase) {
   EXPECT_NEAR(at.z, 11.95 + 8.106, 1e-9);
 }
 
-TEST(LeaningBody, DoubtOfAnElevationIsTiltAheadAndRollAside) {
+TEST(LeaningBody, DoubtOfAnElevationIsTiltAheadAndRollToTheSide) {
   CameraTilt tilt;
   tilt.tiltVariance = 4.0;
   tilt.rollVariance = 1.0;

@@ -36,7 +36,7 @@ TEST(Ahead, TheFirstFrameHasNoRate) {
   EXPECT_EQ(sinceExposure(input).forward, 0.0);
 }
 
-TEST(Ahead, TheBallStaysOnTheFieldAndTurnsAsideOfTheRobot) {
+TEST(Ahead, TheBallStaysOnTheFieldAndTurnsRelativeToTheRobot) {
   WorldModel world;
   world.pose = kPose;
   world.ball.present = true;

@@ -129,7 +129,7 @@ TEST_P(Kick, IsAJumpTakenWithinTwoSightings) {
 
 INSTANTIATE_TEST_SUITE_P(Ball, Kick, testing::Values(120.0, 160.0, 250.0));
 
-// Seen for two seconds while it rolls at this speed, then once this far aside of its way, then not
+// Seen for two seconds while it rolls at this speed, then once this far beside its way, then not
 // again for a second while the head looks elsewhere.
 WorldModel seenOnceOffLine(double speed, double lateral, Watcher& watcher) {
   watcher.ball = {120, 330};

@@ -69,7 +69,7 @@ TEST(Kick, FromACopyOfTheSameInstantIsTheSame) {
   EXPECT_EQ(one.direction.rad(), two.direction.rad());
 }
 
-TEST(KickGain, OfAKickAsideOfAFallAndOfAShortOneIsLess) {
+TEST(KickGain, OfAKickOffItsAimOfAFallAndOfAShortOneIsLess) {
   KickAim aim;
   aim.min = Angle::deg(-5.0);
   aim.max = Angle::deg(5.0);

@@ -111,7 +111,7 @@ TEST(BodyShape, ALimbHidesAllThatItsSpheresHide) {
   EXPECT_GT(shown, 8000);
 }
 
-TEST(BodyShape, AHeadFarDownAndAsideSeesItsOwnPaw) {
+TEST(BodyShape, AHeadFarDownAndToTheSideSeesItsOwnPaw) {
   EXPECT_GT(paintedPixels(placed(-75, 45, -10)), 8000);
   EXPECT_GT(paintedPixels(placed(-50, 45, -15)), 1500);
   const auto image = rendered(placed(-75, 45, -10), frontLegs(placed(-75, 45, -10)));

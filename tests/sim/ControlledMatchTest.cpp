@@ -75,7 +75,7 @@ TEST(ControlledMatch, EachStateIsTheControllersAndLastsUntilItSaysOtherwise) {
   EXPECT_EQ(match.world.control().teams[1].number, 34U) << "robots are told all that it says";
 }
 
-TEST(ControlledMatch, APenalisedRobotIsPutAsideUntilTheControllerTakesItBack) {
+TEST(ControlledMatch, APenalisedRobotIsPutOffTheFieldUntilTheControllerTakesItBack) {
   Played match;
   match.tell(PlayState::playing);
   match.control.teams[1].players[1] = {net::ControlPenalty::playerPushing, 30};

@@ -55,7 +55,7 @@ TEST(NoiseMethod, ManyFalseSightingsInARowBeginAnewUnlessForbidden) {
   EXPECT_FALSE(lostWithin(0));
 }
 
-// A goal that is half hidden looks aside in every frame: beside another landmark that fits, its
+// A goal that is half hidden looks shifted in every frame: beside another landmark that fits, its
 // second sighting says hardly more than its first; without one the robot may have been carried.
 TEST(NoiseMethod, ALandmarkThatWasFalseMayWellBeFalseAgainWhereAnotherFits) {
   const ModeParams params;

@@ -51,7 +51,7 @@ def sort(name):
     (0, 'dribble'), (10, 'dribble'), (10.1, 'head'), (44.9, 'head'), (45, 'upenn'),
     (69.9, 'upenn'), (70, 'grab'), (100, 'grab'), (179, 'grab')])
 @pytest.mark.parametrize('side', [1, -1])
-def test_defensive_leaves_go_by_how_far_up_field_is_aside(degrees, wanted, side):
+def test_defensive_leaves_go_by_the_bearing_of_up_field(degrees, wanted, side):
     assert sort(leaf(facing_up_point(side * degrees, (180, 150)))) == wanted
 
 
@@ -59,7 +59,7 @@ def test_defensive_leaves_go_by_how_far_up_field_is_aside(degrees, wanted, side)
     (0, 'grab'), (20, 'grab'), (20.1, 'head'), (44.9, 'head'), (45, 'upenn'), (109.9, 'upenn'),
     (110, 'grab'), (179, 'grab')])
 @pytest.mark.parametrize('side', [1, -1])
-def test_midfield_leaves_go_by_how_far_up_field_is_aside(degrees, wanted, side):
+def test_midfield_leaves_go_by_the_bearing_of_up_field(degrees, wanted, side):
     assert sort(leaf(facing_up_point(side * degrees, (180, 270)))) == wanted
 
 
@@ -74,8 +74,8 @@ def test_a_contested_ball_is_never_driven_on_towards_the_own_goal(y, way):
 
 @pytest.mark.parametrize('y, elsewhere', [(150, 'dribble'), (270, 'grab')])
 @pytest.mark.parametrize('degrees, strikes', [(34.9, False), (35, True), (69.9, True), (70, False)])
-def test_a_contested_ball_is_struck_when_up_field_is_35_to_70_deg_aside(y, elsewhere, degrees,
-                                                                       strikes):
+def test_a_contested_ball_is_struck_when_up_field_is_35_to_70_deg_off(y, elsewhere, degrees,
+                                                                      strikes):
     found = sort(leaf(facing_up_point(degrees, (180, y)), contested_now=True))
     assert found == ('upenn' if strikes else elsewhere)
 
@@ -122,7 +122,7 @@ def put_ball_ahead(made, away):
     ((180, 515), 90, 'dribble'),          # close to the goal line
     ((180, 509), 90, 'grab'),
     ((180, 330), 90, 'grab'),             # 210 cm from the goal
-    ((55, 500), 70, 'upenn'),             # a corner, the goal's front 61 deg aside
+    ((55, 500), 70, 'upenn'),             # a corner, the goal's front 61 deg off
     ((55, 500), 20, 'grab')])
 def test_offensive_leaves(ball, heading, wanted):
     made = world(ball[0], ball[1], heading, ball)

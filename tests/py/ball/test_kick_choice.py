@@ -45,7 +45,7 @@ def test_a_goal_in_sight(facts, wanted):
 
 @pytest.mark.parametrize('y, wanted', [
     (489, WEDGE), (491, HARD), (509, HARD), (511, choice.RELEASE)])
-def test_near_a_goal_that_is_aside(y, wanted):
+def test_near_a_goal_that_is_to_the_side(y, wanted):
     """Closer than 30 cm comes before the last 50 cm, as listed (G47)."""
     assert kick(y) == wanted
 

@@ -61,7 +61,7 @@ def blocked(made):
     return made
 
 
-def test_against_somebody_under_the_nose_it_is_kicked_aside_in_midfield_and_ahead_before_the_goal():
+def test_against_somebody_under_the_nose_it_is_kicked_sideways_in_midfield_ahead_before_the_goal():
     ahead = kick_map_choice.AHEAD
     assert chosen(world(180.0, 270.0), overdue=True)[0] in ahead
     assert chosen(blocked(world(180.0, 270.0)), overdue=True)[0] not in ahead + (RELEASE,)

@@ -178,7 +178,7 @@ def test_a_chance_of_a_goal_is_the_share_of_random_balls_that_roll_in():
         assert goal_chance(ball, outcome, heading) == pytest.approx(hits / 20000, abs=0.015)
 
 
-def test_a_goal_is_less_likely_from_further_off_aside_and_with_an_unsure_heading():
+def test_a_goal_is_less_likely_from_farther_away_from_a_side_and_with_an_unsure_heading():
     near, far = goal_chance((MIDDLE, 440.0)), goal_chance((MIDDLE, 340.0))
     assert near > 0.9 > far
     assert goal_chance((MIDDLE, 440.0), heading=60.0) < 0.2

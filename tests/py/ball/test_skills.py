@@ -40,7 +40,7 @@ def test_goal_to_the_left_of_the_ball_is_lined_up_by_stepping_right():
     assert walk.left < 0 and walk.turn_deg > 0
 
 
-def test_ball_aside_is_not_approached_further_until_it_is_centred():
+def test_a_lateral_ball_is_not_approached_further_until_it_is_centred():
     world = world_with_ball(6, Strike.STAND_OFF)
     walk = StepToKick().step(world, (6.0, 200.0))
     assert walk.forward == pytest.approx(0) and walk.left < 0
@@ -100,7 +100,7 @@ def aim_from(x, y):
 
 
 def test_ball_on_the_goal_line_is_shot_at_the_back_wall_and_not_along_the_line():
-    assert aim_from(203.0, 540.0) == pytest.approx(37.5, abs=0.1)  # 23 cm aside, 30 cm deep
+    assert aim_from(203.0, 540.0) == pytest.approx(37.5, abs=0.1)  # 23 cm to the side, 30 deep
 
 
 def test_ball_beside_the_goal_is_shot_at_the_middle_of_the_mouth():

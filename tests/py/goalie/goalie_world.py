@@ -281,5 +281,5 @@ def world_at(x=180.0, y=20.0, heading=90.0):
 
 
 def nobody(world):
-    """The empty goal: a player that stands aside and does nothing."""
+    """The empty goal: a player that stands by and does nothing."""
     return kelpie.Command()

@@ -25,7 +25,7 @@ def test_attack_begins_for_a_ball_of_gps_in_the_box_or_a_seen_one_at_the_nose(in
     (180 + 79.9j, 0.0, False), (180 + 80.1j, 0.0, True), (259.9 + 40j, 0.0, False),
     (260.1 + 40j, 0.0, True), (180 + 60j, 39.9, False), (180 + 60j, 40.1, True),
     (180 + 60j, -39.9, False), (180 + 60j, -40.1, True)])
-def test_attack_ends_15_cm_beyond_the_box_or_40_deg_aside(ball, heading, failed):
+def test_attack_ends_15_cm_beyond_the_box_or_40_deg_off(ball, heading, failed):
     world = scene(ball).world
     world.percepts.ball.heading_deg = heading
     assert (attack_failed(world) is not None) == failed

@@ -62,8 +62,8 @@ def test_of_balls_straight_ahead_only_the_fastest_are_blocked(speed):
 
 
 @pytest.mark.parametrize('speed', range(5, 200, 5))
-def test_of_balls_aside_the_fast_are_blocked_and_the_slow_walked_to(speed):
-    """20 cm aside: a ball that takes 1 s leaves the time for two steps."""
+def test_of_lateral_balls_the_fast_are_blocked_and_the_slow_walked_to(speed):
+    """20 cm to the side: a ball that takes 1 s leaves the time for two steps."""
     watch = watched(200 + 60j, -1j * speed)
     comes = speed_to_go(60.0 - shot_watch.SHORT) < speed < shot_watch.FASTEST
     in_time = way_in(speed, shot_watch.LATEST) > 40.0
@@ -153,7 +153,7 @@ def test_a_ball_before_the_goalie_is_kicked_where_a_kick_reaches_it(right, ahead
 @pytest.mark.parametrize('heading, sides', [
     (90, {-1.0, 1.0}), (40, {1.0}), (140, {-1.0})])
 def test_no_kick_to_a_side_whose_ball_an_opponent_could_turn_into_the_goal(heading, sides):
-    """Held against, the ball goes 106 deg aside."""
+    """Held against, the ball goes 106 deg off."""
     world = scene(180 + 30j).world
     world.pose.heading_deg = heading
     found = set()

@@ -100,7 +100,7 @@ def test_but_not_over_its_goal_line(y):
 @pytest.mark.parametrize('at, degrees', [(180 + 3j, 45.0), (118 + 20j, 20.0), (100 + 26j, 90.0),
                                          (180 - 5j, 90.0), (180 - 15j, 60.0), (180 + 30j, 110.0)])
 def test_the_step_is_straight_back_or_none_wherever_it_believes_to_stand(at, degrees):
-    """Aside or ahead it would take the ball along."""
+    """Sideways or ahead it would take the ball along."""
     scenery, player = believes(180 + 150j), Goalie()
     scenery.at, scenery.facing = at, cmath.rect(1.0, math.radians(degrees))
     scenery.see()

@@ -23,7 +23,7 @@ def nearest_off(world, pan):
                 if 70 <= math.hypot(*from_field(world.pose, m.position.x, m.position.y)) <= 550))
 
 
-def test_it_turns_aside_just_so_far_that_the_nearest_landmark_is_in_the_image():
+def test_it_turns_just_so_far_that_the_nearest_landmark_is_in_the_image():
     world, turned = world_at(180.0, 270.0, 90.0), 0
     for pan in range(-90, 91, 5):
         lateral = pan_for(world, pan)
@@ -60,13 +60,13 @@ def test_without_a_landmark_near_the_view_it_looks_at_the_ball():
     assert (target.x, target.y, target.z) == pytest.approx((*point, 8.4))
 
 
-def test_how_far_aside_is_worked_out_anew_in_every_third_frame():
-    world, gaze, asides = world_at(180.0, 270.0, 90.0), SharedGaze(), []
+def test_how_far_it_turns_is_worked_out_anew_in_every_third_frame():
+    world, gaze, offsets = world_at(180.0, 270.0, 90.0), SharedGaze(), []
     world.ball.distance = 100.0
     for frame in range(3 * EVERY):
         pan = 5.0 * frame
         aim = gaze.beside(world, polar(100.0, pan), 8.4).target
-        asides.append(round(wrap(heading(aim.x, aim.y) - pan), 6))
+        offsets.append(round(wrap(heading(aim.x, aim.y) - pan), 6))
     for start in range(0, 3 * EVERY, EVERY):
-        assert asides[start] == pytest.approx(pan_for(world, 5.0 * start), abs=1e-5)
-        assert len(set(asides[start:start + EVERY])) == 1
+        assert offsets[start] == pytest.approx(pan_for(world, 5.0 * start), abs=1e-5)
+        assert len(set(offsets[start:start + EVERY])) == 1

@@ -51,7 +51,7 @@ TEST(Pink, WithoutSizeOrGroundOnlyTheHeadingMeansSomething) {
   const Seen seen = look(sheetAt(250, 15), cameraAt(17, 0, 0), params);
   ASSERT_EQ(seen.percepts.pinkPatches.size(), 1U);
   EXPECT_GT(seen.percepts.pinkPatches[0].distanceVariance, 1e5);
-  // The heading of a place 250 cm away, although the camera is aside of the robot frame's origin.
+  // The heading of a place 250 cm away, although the camera is beside the robot frame's origin.
   EXPECT_NEAR(seen.percepts.pinkPatches[0].heading.deg(), -std::atan2(15, 250) * 57.3, 1.0);
 }
 

@@ -35,7 +35,7 @@ struct KickMapPlan {
 // The seed of the first model; those of the searches of kicks and of their judges lie elsewhere.
 constexpr std::uint64_t firstModelOf(const KickMapPlan& plan) { return 20000 + 100 * plan.seed; }
 
-// The last steps up to a ball, drawn: 5 to 20 cm/s ahead, a little aside and turning.
+// The last steps up to a ball, drawn: 5 to 20 cm/s ahead, a little sideways and turning.
 struct LastSteps {
   WalkRequest walk;
   int messages = 0;  // until the kick is asked for

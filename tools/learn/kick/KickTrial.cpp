@@ -48,7 +48,7 @@ std::optional<Opponent> pusher(bool held) {
   return opponent;
 }
 
-// As a player aims: the ball then lies up to 1 cm aside, and the legs are not as they stood.
+// As a player aims: the ball then lies up to 1 cm to the side, and the legs are not as they stood.
 void turnWithBall(PhysicalWalker& walker, Random& random) {
   Command command = holdingCommand();
   const double speed = random.uniform(0.5, 2.3);  // rad/s; 130 deg/s is the fastest in matches

@@ -49,9 +49,9 @@ bool nearView(const FieldCamera& camera, const Sphere& sphere) {
   constexpr double kStretch = 1.33;  // 1 / cosine of that
   const FieldPoint3 d = sphere.centre - camera.position;
   const double depth = camera.forward.x * d.x + camera.forward.y * d.y + camera.forward.z * d.z;
-  const double aside2 = d.x * d.x + d.y * d.y + d.z * d.z - depth * depth;
+  const double lateral2 = d.x * d.x + d.y * d.y + d.z * d.z - depth * depth;
   const double reach = kTangent * depth + kStretch * sphere.radius;
-  return reach > 0.0 && aside2 < reach * reach;
+  return reach > 0.0 && lateral2 < reach * reach;
 }
 
 // The cameras of three columns, which stand for those between them.

@@ -39,7 +39,7 @@ struct OuterWall {
   std::vector<WallSheet> sheets;
 };
 
-// 15 cm beyond the carpet; each corner up to `slant` cm aside, so that it is no rectangle.
+// 15 cm beyond the carpet; each corner up to `slant` cm to the side, so that it is no rectangle.
 OuterWall outerWall(const body::FieldDescription& field, double slant, std::uint64_t seed);
 
 // Middles of the pink papers on the ground plan.

@@ -38,7 +38,7 @@ bool canHold(Point2<Robot> ball) {
 }
 
 // A hard forward or a wedge at a ball that lies free does what its file says, at the place where it
-// was searched; a ball further aside goes less far.
+// was searched; a ball further to the side goes less far.
 KickCell ofItsFile(MotionKind kind, Point2<Robot> ball) {
   const actuator::KickEffect& effect = actuator::standardMotions()[kind].kick;
   const double off = maths::hypot(ball.x + effect.left, ball.y - effect.ahead);

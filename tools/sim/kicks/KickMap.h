@@ -48,7 +48,7 @@ struct KickGrid {
   KickFrom from = KickFrom::standing;  // from the hold: one cell, no places
   std::vector<double> lateral;         // cm to the right, rising
   std::vector<double> ahead;           // cm, rising
-  std::vector<KickCell> cells;         // [ahead][aside]
+  std::vector<KickCell> cells;         // [ahead][lateral]
   KickWindow window;
   double frames = 0.0;      // of 1/30 s
   actuator::MotionWay way;  // of the robot, until it stands again
