@@ -29,7 +29,7 @@ std::array<double, 3> meanOf(const MotionInput& in) {
   return mean;
 }
 
-// How far it is from what it was lately.
+// How far it is from what it was recently.
 double movement(const MotionInput& in, const LiftParams& params, LiftState& state) {
   const std::array<double, 3> now = meanOf(in);
   double squares = 0.0;
@@ -58,7 +58,7 @@ void feelPaw(LiftState& state) {
   state.blindly = 0;
 }
 
-// Whether free paws tell of hands now.
+// Whether free paws show now that it is lifted.
 bool tells(const LiftParams& params, const LiftState& state) {
   switch (state.footing) {
     case Footing::stands:

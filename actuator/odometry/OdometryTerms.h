@@ -13,7 +13,7 @@ namespace kelpie::actuator {
 struct Felt {
   double load = 0.0;  // beyond that of a free walk
   Reach reach;
-  Velocity change;  // of the feet's speed lately: the body follows late
+  Velocity change;  // of the feet's recent speed: the body follows late
 };
 
 // Each number of AlongTerms or AcrossTerms times this is summed. `joints`: the speed that the

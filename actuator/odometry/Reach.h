@@ -3,7 +3,7 @@
 // walking. Servos with heavy gears swing further, weak ones less far, and the body goes with its
 // feet: of turns on varied models the reach of all joints explains nine tenths of what they differ
 // by, that of the front rotators alone half.
-// 0 while nothing has been walked lately; motions count for nothing.
+// 0 while nothing has been walked recently; motions count for nothing.
 #pragma once
 
 #include <array>

@@ -25,9 +25,8 @@ struct InitialPose {
 };
 
 // Noise of the odometry. Variances grow with the way walked, so that they do not depend on the
-// frame rate: 0.1 cm2 per cm is 1.4 cm after 20 cm. Eight times as much costs
-// 0.4 of 1.2 cm in the like world (`kelpie evaluate localise`); NoiseScale finds
-// what a robot has of it.
+// frame rate: 0.1 cm2 per cm is 1.4 cm after 20 cm. Eight times as much costs 0.4 of 1.2 cm in the
+// nominal world (`kelpie evaluate localise`); NoiseScale finds what a robot has of it.
 struct MotionNoise {
   double alongPerCm = 0.1;          // cm2 along the walking direction per cm walked
   double acrossPerCm = 0.0625;      // cm2 across it per cm walked

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hands. A robot that feels that it is lifted, or put down again, knows nothing of where it is. The
-// end of a penalty: the robot has been put near a side line, on the half-way line, and looks
-// across the field; on which side it does not know, as that goes by the ball. It believes in both
-// places (so did the code of 2005: facts-2005 section 5.1) and does not search as one that was
+// Being carried. A robot that feels that it is lifted, or put down again, knows nothing of where it
+// is. The end of a penalty: the robot has been put near a side line, on the half-way line, and
+// looks across the field; on which side it does not know, as that goes by the ball. It believes in
+// both places (so did the code of 2005: facts-2005 section 5.1) and does not search as one that was
 // carried anywhere. Fails where the robot is put elsewhere: then the wide mode finds it, as ever.
 #pragma once
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Being pushed about: who stands against another robot is shaken sideways by its steps and does not
 // go where its legs walk. Keeps the mean of the sideways acceleration and how far it is from that
-// lately; by what goes beyond free walking the way shrinks and its noise grows. Fails where a robot
-// is pushed evenly, and after a collision with nobody near: then the noise is there for nothing.
-// Does nothing on bodies whose acceleration sensor shows no shaking, as kinematic ones.
+// recently; by what goes beyond free walking the way shrinks and its noise grows. Fails where a
+// robot is pushed evenly, and after a collision with nobody near: then the noise is there for
+// nothing. Does nothing on bodies whose acceleration sensor shows no shaking, as kinematic ones.
 #pragma once
 
 #include "gps/pose/PoseState.h"

@@ -102,7 +102,7 @@ void stepPhase(const MotorsIn& in, const MotorsParams& params, MotorsState& stat
   }
 }
 
-// In any phase: hands, and power or a gain that nobody here has taken away.
+// In any phase: being lifted, and power or a gain that nobody here has taken away.
 void stepLoss(const MotorsIn& in, MotorsState& state) {
   if (!holds(state.phase)) return;
   if (in.lifted) return beginAgain(Rest::lifted, in, state);
