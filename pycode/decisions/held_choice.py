@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The kick of a robot that holds the ball, asked in every frame of skills/ball/grab_dribble.py: by
 # the rules of the thesis (decisions/kick_choice.py) once it has aimed, or by the map of where kicks
-# go (decisions/kick_map_choice.py); or a pass that is worth more (decisions/passing.py). Keeps the
+# go (decisions/kick_map_choice.py); or a pass of a higher utility (decisions/passing.py). Keeps the
 # contest's latch of the attacker, the memory, and the mate of the pass. Answers None while the
 # robot should turn or carry on.
 import kelpie
@@ -36,8 +36,8 @@ class HeldChoice:
         return self.alone(world, dribble, overdue)
 
     def pass_on(self, world, dribble):
-        """To a mate for whom the ball is worth more than the own kick, once aimed; by a margin to
-        begin with, since the stop for it is lost otherwise."""
+        """To a mate with whom the ball has a higher utility than the own kick, once aimed; by a
+        margin to begin with, since the stop for it is lost otherwise."""
         best = passing.best(world, kick_map_choice.held_ball(world))
         if best is None:
             return None

@@ -14,16 +14,16 @@ from lib.geom import wrap
 from situation.aim import mouth, size
 from situation.infrared import DEFAULT, near
 
-NEARLY = 0.93          # [0.465, 1] of the aimed kick's worth: turning on costs time
+NEARLY = 0.93          # [0.465, 1] of the aimed kick's utility: turning on costs time
 STILL_GOOD = 0.8       # [0.4, 1] of it for who has stopped for the kick: gaps are seen unsteadily
 AIM_SD = 7.0           # deg beside the map's: of 40 kicks from matches 7.5, the map 1.0
-NEARNESS = 0.6         # [0.3, 1] worth of a ball in the goal line's middle, if a goal is 1; it
+NEARNESS = 0.6         # [0.3, 1] utility of a ball in the goal line's middle, if a goal is 1; it
                        # falls to 0
 FALL_OFF = 650.0       # cm away, about the field's diagonal
-OUT = 0.5              # [0.25, 1] share of that worth which a ball out of the field keeps
-OWN_END = 45.0         # cm from the own goal line: a ball that goes there is worth
-OWN_END_UTILITY = -0.5   # so much, since it may be an own goal
-LET_GO = 0.7           # [0.35, 1] share of its place's worth that a ball let go keeps
+OUT = 0.5              # [0.25, 1] share of that utility which a ball out of the field keeps
+OWN_END = 45.0         # cm from the own goal line: a ball that goes there has a utility
+OWN_END_UTILITY = -0.5   # of so much, since it may be an own goal
+LET_GO = 0.7           # [0.35, 1] share of its place's utility that a ball let go keeps
 FREED = 0.4            # [0.2, 0.8] share of the kicks that move the ball farther than 30 cm with
                        # somebody under the nose: 11 of 29 in two matches, of the others 59 of 76
 BESIDE = 30.0          # deg
@@ -61,14 +61,14 @@ def out_of_time(world, gap) -> tuple:
 
 
 def best(world, gap, middle) -> tuple:
-    """(worth, kick) for how the robot stands; kicks that send the ball far beside the gap's middle
-    are worth nothing, which spares the robot their sums."""
-    worths = [(0.0, kelpie.HARD_FORWARD)]
+    """(utility, kick) for how the robot stands; kicks that send the ball far beside the gap's
+    middle have none, which spares the robot their sums."""
+    utilities = [(0.0, kelpie.HARD_FORWARD)]
     for kick in kick_table.kicks(True):
         direction = kick_table.held_outcome(kick)[1]
         if abs(wrap(direction - middle)) < BESIDE:
-            worths.append((utility_now(world, kick, gap), kick))
-    return max(worths)
+            utilities.append((utility_now(world, kick, gap), kick))
+    return max(utilities)
 
 
 def utility_now(world, kick, gap):
@@ -106,7 +106,7 @@ def utility_of_way(world, ball, way, outcome, gap=None) -> float:
 
 
 def nearness(field, x, y) -> float:
-    """What a ball is worth that lies there."""
+    """The utility of a ball that lies there."""
     if y < OWN_END:
         return OWN_END_UTILITY
     inside = 0.0 < x < field.width and 0.0 < y < field.length

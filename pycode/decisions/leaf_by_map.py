@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Whether the leaf of the decision tree is what the kick map would do too: each kick of a free ball
-# for how the robot comes to it, against a grab and the aimed kick that follows, by what the ball is
-# worth afterwards (decisions/kick_map_choice.py) less what the time costs. Where the map is used
+# for how the robot comes to it, against a grab and the aimed kick that follows, by the ball's
+# utility afterwards (decisions/kick_map_choice.py) less what the time costs. Where the map is used
 # the tree's strikes from an edge, of which every second one left the field, are grabs, and so are
 # all of a contested ball, which brought it 16 cm up-field where a kick from the hold brings
 # 63.
@@ -19,8 +19,8 @@ FREE = {kelpie.KICKS[kick].leaf: kick
         if kelpie.KICKS[kick].leaf}
 GRAB = 'grab'
 WAYS = (GRAB, *FREE)
-SECOND = 0.02          # worth of a second: a kick of 170 cm takes 7 s, the walk after it counted
-KEEP = 0.04            # [0.02, 0.08] worth by which another leaf must be better than the one that
+SECOND = 0.02          # utility of a second: a kick of 170 cm takes 7 s, the walk after it counted
+KEEP = 0.04            # [0.02, 0.08] utility by which another leaf must be better than the one that
                        # is played
 GRAB_S = 1.3           # [0.65, 2.6] grab, feel, stand, kick
 TURN_S = 1.0 / 100.0   # of a degree with the ball
@@ -29,11 +29,11 @@ LINE = 35.0            # cm before the goal line, between the posts: the ball is
 
 
 class LeafByMap:
-    """Keeps what each way to play the ball was worth when it was last worked out: one of them in
+    """Keeps the utility of each way to play the ball when it was last worked out: one of them in
     every second frame, as all of them are a third of what the robot can spend on behaviours."""
 
     def __init__(self):
-        self.worths = {}
+        self.utilities = {}
         self.next = 0
 
     def choose(self, world, situation, leaf, played=None) -> tuple:
@@ -44,9 +44,9 @@ class LeafByMap:
         if run_in(world, situation, leaf):
             return leaf, 'as the tree says'
         self.update(world, situation)
-        grab = self.worths[GRAB] + (KEEP if played in tree.WITH_GRAB else 0.0)
+        grab = self.utilities[GRAB] + (KEEP if played in tree.WITH_GRAB else 0.0)
         free, kick = max((utility + (KEEP if way == played else 0.0), way)
-                         for way, utility in self.worths.items() if way != GRAB)
+                         for way, utility in self.utilities.items() if way != GRAB)
         if free > grab:
             return kick, 'worth {} at once, {} with a grab', free, grab
         if leaf not in tree.WITH_GRAB:
@@ -55,14 +55,14 @@ class LeafByMap:
 
     def update(self, world, situation):
         """All ways at first, then one after the other."""
-        if self.worths and world.frame % 2:
+        if self.utilities and world.frame % 2:
             return
         way = wrap(world.pose.heading_deg + situation.ball_bearing)
-        due = WAYS if not self.worths else WAYS[self.next:self.next + 1]
+        due = WAYS if not self.utilities else WAYS[self.next:self.next + 1]
         self.next = (self.next + 1) % len(WAYS)
         for name in due:
-            self.worths[name] = (grab_utility(world, situation, way) if name == GRAB
-                                 else free_utility(world, situation, name, way))
+            self.utilities[name] = (grab_utility(world, situation, way) if name == GRAB
+                                    else free_utility(world, situation, name, way))
 
 
 def run_in(world, situation, leaf) -> bool:

@@ -18,14 +18,13 @@ BLOCKED = 25.0       # cm from an opponent to the ball's way: half a body and th
 MARKED = 50.0        # cm from an opponent to a mate
 SEEN_S = 2.0         # s; of opponents
 SHOT_FROM = 230.0    # cm from which a ball reaches the goal (skills/ball/grab_dribble.py)
-SHOT = 0.5           # worth of a shot at the goal from the line
-LOST = 0.25          # share of a worth that is lost in taking the ball
-MIN_GAIN = 0.08    # [0.04, 0.16] by which a pass must be worth more than the own kick, to be
-                     # begun
+SHOT = 0.5           # utility of a shot at the goal from the line
+LOST = 0.25          # share of a utility that is lost in taking the ball
+MIN_GAIN = 0.08    # [0.04, 0.16] by which a pass must have more utility than the own kick
 
 
 def utility_at(world, place) -> float:
-    """What a ball is worth at the feet of a mate that stands there."""
+    """The utility of a ball at the feet of a mate that stands there."""
     goal = goal_of(world.field)
     away = math.hypot(goal[0] - place[0], goal[1] - place[1])
     near = NEARNESS * max(0.0, 1.0 - away / FALL_OFF)
@@ -42,7 +41,7 @@ def clear(world, start, end, width=BLOCKED) -> bool:
 
 
 def best(world, ball) -> tuple | None:
-    """(worth, kick, player) of the best pass of a ball held at a place of the field, for how the
+    """(utility, kick, player) of the best pass of a ball held at a place of the field, for how the
     robot stands; None when none arrives."""
     found = None
     mates = forwards(world)

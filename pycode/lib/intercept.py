@@ -37,7 +37,7 @@ def rolled_until(speed, t) -> float:
 
 
 def rolls(ball) -> bool:
-    """Whether its velocity is worth a prediction."""
+    """Whether its velocity is sure enough for a prediction."""
     return (ball.seconds_since_seen < SEEN_S and
             math.hypot(ball.velocity.x, ball.velocity.y) > SLOW)
 

@@ -9,7 +9,7 @@ from lib.geom import wrap
 
 CLEAR = 34.0        # cm from a robot's middle to the way: two bodies 20 wide and 4 of the pose
 BENDS = (0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0, 65.0, -65.0)  # deg
-OVERLAP = 3.0       # deg of bend that 1 cm nearer than CLEAR is worth
+OVERLAP = 3.0       # deg of bend that 1 cm nearer than CLEAR costs
 SWITCH = 25.0       # deg that passing on the other side than before must be better by
 OFF_FIELD = 120.0   # deg, of an arc that leaves the field
 EDGE = 15.0         # cm

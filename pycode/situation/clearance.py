@@ -22,7 +22,7 @@ LATENCY = 0.05, 0.2  # s from asking to the motion's beginning, at least and at 
 STRIKE = 0.2         # s from there to the strike: a kick's last key frame ends after 0.18 to 0.24
 UTILITY = 0.45         # [0.225, 0.9] of a kick that is done as the ball lies
 FAR = 180.0          # [90, 360] cm that are as good as farther
-LATERAL = 0.35         # [0.175, 0.7] worth lost by a kick across the field
+LATERAL = 0.35         # [0.175, 0.7] utility lost by a kick across the field
 ACROSS = 0.85        # [0.425, 1] share left of one that goes past the goal's middle
 OPPONENT = 70.0      # cm to an opponent that stands in the way,
 OPPONENT_DEG = 25.0  # deg off it
@@ -32,7 +32,7 @@ HELD_DEG = 106.0     # deg to which a kick to a side then goes (docs/physical-bo
 
 class Clearance:
     """A kick of a ball at (x, y) on the field: where it goes (deg on the field), how many deg off
-    the own goal that is, and what it is worth, 0 to 1. It is safe if it cannot become an own goal,
+    the own goal that is, and its utility, 0 to 1. It is safe if it cannot become an own goal,
     not even where the ball goes when somebody holds against a kick to a side."""
 
     def __init__(self, world, kick, ball, outcome, heading_deg):
@@ -105,7 +105,7 @@ def strikes(world) -> list[tuple[Point, Point]]:
 
 
 def clearance(world, kick, strikes_at) -> Clearance | None:
-    """What a kick is worth at least that meets the ball at one of strikes(); None if it then
+    """The least utility of a kick that meets the ball at one of strikes(); None if it then
     reaches no ball or is not safe."""
     walking, worst = walks(world), None
     for place, ball in strikes_at:

@@ -23,7 +23,7 @@ REPORTED_SD = 5.0        # cm; of vaguer balls of the team one in ten is more th
 
 
 def seen(world, seconds=SEEN) -> bool:
-    """Whether the ball was seen so lately."""
+    """Whether the ball was seen so recently."""
     return world.ball.present and world.ball.seconds_since_seen < seconds
 
 

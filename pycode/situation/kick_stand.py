@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The place from which a goalie can clear a ball in or at its box (thesis 2006 section 4.3.1): of
 # all kicks and directions the one that is reached soonest, inside the box, and from which the kick
-# is worth most. choose() keeps nothing; what it answers goes in again, since a place is kept for
-# half a second unless the ball rolls on. Fails in scrums, where the ball moves with whoever pushes
-# it.
+# has the highest utility. choose() keeps nothing; what it answers goes in again, since a place is
+# kept for half a second unless the ball rolls on. Fails in scrums, where the ball moves with
+# whoever pushes it.
 import math
 
 from lib import kick_table
@@ -16,7 +16,7 @@ TURNS = (0.0, -20.0, 20.0, -45.0, 45.0, -70.0, 70.0)  # deg from the way to the 
 PACE = 26.0         # cm/s: what a place costs in time,
 PACE_TURN = 120.0   # deg/s
 ASTERN = 1.5        # [0.75, 3] s for a place beyond the ball: the way leads round it
-UTILITY = 1.2         # [0.6, 2.4] s that a clearance of worth 1 may take longer than one of worth 0
+UTILITY = 1.2         # [0.6, 2.4] s that a clearance of utility 1 may take longer than one of 0
 CHOSEN = 0.3        # [0.15, 0.6] s that the place of before may take longer
 AGAIN = 0.5         # s after which the place is chosen anew,
 MOVED = 6.0         # or cm that the ball has rolled
@@ -84,7 +84,7 @@ def possible(world, ball, stand) -> bool:
 
 
 def cost(world, ball, stand, chosen) -> float:
-    """Seconds until the kick, less what it is worth; infinite for one at the own goal."""
+    """Seconds until the kick, less its utility; infinite for one at the own goal."""
     clearance = Clearance(world, stand.kick, ball, stand.outcome, stand.heading)
     if not clearance.safe:
         return math.inf

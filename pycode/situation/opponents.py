@@ -2,7 +2,7 @@
 # Where somebody else is at the ball or at the own body, in the four senses that a player acts on:
 # at a ball (a kick would leave it there), having it (it is theirs for now), at hand (who turns
 # sweeps the ball in), and a mate that grabs it. Keeps nothing. Opponents that nobody has seen
-# lately are not there; whoever no uniform shows is recognised by its feet alone.
+# recently are not there; whoever no uniform shows is recognised by its feet alone.
 import math
 
 import kelpie
@@ -26,7 +26,7 @@ MATE = 30.0          # cm from the ball to a mate's neck that grabs it: both own
 
 
 def within(world, place, reach, seconds=SEEN_S) -> bool:
-    """Whether an opponent that was seen so lately (s) is so near (cm) to a place of the field."""
+    """Whether an opponent that was seen so recently (s) is so near (cm) to a place of the field."""
     return any(other.seconds_since_seen < seconds and math.dist(point_of(other), place) < reach
                for other in world.opponents)
 

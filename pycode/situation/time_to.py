@@ -89,7 +89,7 @@ def ball_of(world, lost_frames):
 
 
 def heard_of(world):
-    """Where the team has a ball on the field that this robot has not seen as lately; or None."""
+    """Where the team has a ball on the field that this robot has not seen as recently; or None."""
     team, ball = world.team_ball, world.ball
     own_s = ball.seconds_since_seen if ball.present else math.inf
     if (len(world.teammates) == 0 or not team.present or team.seconds_since_seen > FRESH_S or

@@ -71,7 +71,7 @@ class LineUpKick(Machine):
                 not StepToKick().out_of_reach(world, goal_point))
 
     def look_for_goal(self, world):
-        """Stands still for one sweep of the head: the shot is worth knowing where the goal is."""
+        """Stands still for one sweep of the head: it pays to know where the goal is."""
         seen = self.goal.seen(world) and self.goal.seen_s > self.entered_s
         if seen or self.timed_out(world, Goal.SWEEP):
             self.goal.looked(world)
