@@ -19,7 +19,7 @@ Stand randomised() {
 
 double found(const BodyEstimate& e, Unknown unknown) { return e.unknowns[unknown].value; }
 
-TEST(BodyEstimate, FindsLensNeckRollAndPlayOfAnUnlikeRobot) {
+TEST(BodyEstimate, FindsLensNeckRollAndPlayOfARandomisedRobot) {
   const auto e = estimateBody(logOf(randomised()));
   ASSERT_TRUE(e.ok()) << e.error();
   EXPECT_NEAR(e->params.lens.focalLength, 199.0, 0.005 * 199.0);

@@ -106,7 +106,7 @@ TEST_P(SensorReaderTest, MissingSensorKeepsItsDefault) {
   EXPECT_NEAR(20.5, frames_[0].headNearDistance, 1e-9);
 }
 
-TEST_P(SensorReaderTest, VectorUnlikeTheMatchedOneIsRefused) {
+TEST_P(SensorReaderTest, VectorThatDiffersFromTheMatchedOneIsRefused) {
   EXPECT_FALSE(reader_.read(vector(), frames_));
   reader_.match(vector(), allIds());
   vector().SetNumData(5);

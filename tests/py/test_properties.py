@@ -107,15 +107,15 @@ def test_the_tree_names_the_mirrored_leaf_in_the_mirrored_world(place, contested
 
 @given(places())
 def test_the_map_names_the_mirrored_leaf_in_the_mirrored_world(place):
-    named, worths = [], []
+    named, utilities = [], []
     for made in both(place):
         situation, choice = Situation(made, False, False), LeafByMap()
         named.append(choice.choose(made, situation, tree.decide(situation)[0])[0])
-        worths.append(choice.worths)
-    for way, utility in worths[0].items():
-        assert utility == approx(worths[1][other(way)], abs=1e-6)
-    best = sorted(worths[0].values())[-2:]
-    if not worths[0] or best[1] - best[0] > 1e-6:
+        utilities.append(choice.utilities)
+    for way, utility in utilities[0].items():
+        assert utility == approx(utilities[1][other(way)], abs=1e-6)
+    best = sorted(utilities[0].values())[-2:]
+    if not utilities[0] or best[1] - best[0] > 1e-6:
         assert named[1] == other(named[0])
 
 
@@ -144,7 +144,7 @@ def test_the_kick_by_rules_is_mirrored_with_what_is_known(pair):
 
 
 @given(places(), gaps, degrees)
-def test_a_kick_of_the_map_is_worth_the_same_mirrored(place, gap, turn):
+def test_a_kick_of_the_map_has_the_same_utility_mirrored(place, gap, turn):
     one, mirrored = both(place)
     for kick in (kelpie.HARD_FORWARD, kelpie.HEAD_SWIPE_LEFT, kelpie.UPENN_RIGHT):
         assert kick_map_choice.utility_of(one, kick, gap, turn) == approx(

@@ -37,7 +37,7 @@ def test_out_of_time_before_the_own_goal_it_is_not_kicked_at_it(heading):
         assert down_field > kick_map_choice.OWN_END
 
 
-def test_out_of_time_a_ball_is_not_kicked_to_where_it_is_worth_less_than_where_it_lies():
+def test_out_of_time_a_ball_is_not_kicked_to_a_lower_utility_than_where_it_lies():
     """The best kick leads from y = 134 to 46."""
     assert chosen(world(60.0, 140.0, -135.0), overdue=True)[0] == RELEASE
 

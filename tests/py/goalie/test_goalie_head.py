@@ -220,7 +220,7 @@ def test_a_glance_that_finds_no_landmark_is_followed_by_a_survey():
 
 @pytest.mark.parametrize('lost, coming, surveys', [(True, 0.0, True), (False, 0.0, False),
                                                   (True, -Look.STILL - 1.0, False)])
-def test_a_lost_pose_is_worth_a_survey_even_beside_the_ball(lost, coming, surveys):
+def test_a_lost_pose_calls_for_a_survey_even_beside_the_ball(lost, coming, surveys):
     hints = Hints()
     world, head = seeing(world_at()), GoalieHead(Memory(), hints)
     world.ball.distance, world.ball.velocity.y, hints.pose_lost = 15.0, coming, lost

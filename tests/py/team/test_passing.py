@@ -56,7 +56,7 @@ def test_an_opponent_on_the_way_stops_a_pass():
     assert passing.best(made, BALL) is None
 
 
-def test_a_ball_is_worth_more_nearer_to_the_goal_and_with_the_goal_open():
+def test_a_balls_utility_is_higher_nearer_to_the_goal_and_with_the_goal_open():
     made = holder()
     assert passing.utility_at(made, (180.0, 450.0)) > passing.utility_at(made, (180.0, 250.0))
     before = passing.utility_at(made, (180.0, 450.0))
