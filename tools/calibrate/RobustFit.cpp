@@ -50,7 +50,7 @@ class Fitter {
   }
 
  private:
-  // One step downhill; false when there is none worth taking.
+  // One step downhill; false when there is none that helps.
   bool improve(const Normal& n, double& damping) {
     constexpr double kMaxDamping = 1e9;
     for (; damping < kMaxDamping; damping *= 8.0) {

@@ -37,7 +37,7 @@ void Others::hearOne(One& one, const std::function<void(const std::string&)>& te
 }
 
 void Others::hear(const std::function<void(const std::string&)>& tell) {
-  for (const std::string& line : std::exchange(untold_, {})) tell(line);
+  for (const std::string& line : std::exchange(unreported_, {})) tell(line);
   for (One& one : all_) hearOne(one, tell);
 }
 
@@ -46,7 +46,7 @@ std::string Others::endOf(const One& one) {
   if (!one.complaint.empty()) return one.complaint;
   if (hung()) return fmt::format("it ended with code {}", code_);
   if (!badInput()) return "it gave up";
-  untold_.clear();
+  unreported_.clear();
   return one.last;
 }
 
@@ -54,7 +54,7 @@ bool Others::failed() {
   for (One& one : all_) {
     if (!trouble_.empty()) break;
     if (!one.process->ended()) continue;
-    hearOne(one, [this](const std::string& line) { untold_.push_back(line); });
+    hearOne(one, [this](const std::string& line) { unreported_.push_back(line); });
     code_ = one.process->wait();
     if (code_ == 0) continue;
     failed_ = &one;

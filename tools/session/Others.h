@@ -48,8 +48,8 @@ class Others {
   void hearOne(One& one, const std::function<void(const std::string&)>& tell);
 
   std::vector<One> all_;
-  One* failed_ = nullptr;            // whose trouble it is
-  std::vector<std::string> untold_;  // what it said last
+  One* failed_ = nullptr;                // whose trouble it is
+  std::vector<std::string> unreported_;  // what it said last
   std::string trouble_;
   int code_ = 0;  // of the one in trouble
 };

@@ -123,7 +123,7 @@ struct Ends {
 };
 
 // The processes of a match, and what they said.
-struct ThreadPool {
+struct Processes {
   const SessionOptions& options;
   const RunDirectory& runDirectory;
   Process& world;
@@ -163,117 +163,118 @@ bool endsSoon(Process& world) {
   return world.ended();
 }
 
-void hearAll(int milliseconds, const SessionTalk& talk, ThreadPool& pool) {
+void hearAll(int milliseconds, const SessionTalk& talk, Processes& processes) {
   std::string line;
-  if (pool.agent->readLine(line, milliseconds)) pool.agentSaid.hear(line, talk);
-  while (pool.world.readLine(line, 0)) pool.worldSaid.hear(line, talk);
-  pool.others.hear([&](const std::string& said) { tell(said, talk); });
+  if (processes.agent->readLine(line, milliseconds)) processes.agentSaid.hear(line, talk);
+  while (processes.world.readLine(line, 0)) processes.worldSaid.hear(line, talk);
+  processes.others.hear([&](const std::string& said) { tell(said, talk); });
 }
 
 // Another robot that ends in trouble takes the match with it: the world may still wait for it. One
 // that gives up while the world ends has lost that world only.
-void watchOthers(const SessionTalk& talk, ThreadPool& pool, Ends& ends) {
-  if (ends.other || !pool.others.failed()) return;
-  if (pool.others.gaveUp() && endsSoon(pool.world)) return;
-  const std::string trouble = pool.others.trouble();
-  const bool may = pool.options.respawn || pool.others.hung();
-  const bool again = may && !pool.others.badInput() && !pool.world.ended();
-  if (again && pool.others.revive()) return tell(trouble + "; it is started again", talk);
+void watchOthers(const SessionTalk& talk, Processes& processes, Ends& ends) {
+  if (ends.other || !processes.others.failed()) return;
+  if (processes.others.gaveUp() && endsSoon(processes.world)) return;
+  const std::string trouble = processes.others.trouble();
+  const bool may = processes.options.respawn || processes.others.hung();
+  const bool again = may && !processes.others.badInput() && !processes.world.ended();
+  if (again && processes.others.revive()) return tell(trouble + "; it is started again", talk);
   ends.other = true;
-  pool.world.terminate();
+  processes.world.terminate();
 }
 
 // What a dead agent has said last. One whose script hung as it loaded had no more time for
 // a complaint.
-void hearLast(int code, const SessionTalk& talk, ThreadPool& pool) {
-  AgentTalk& said = pool.agentSaid;
+void hearLast(int code, const SessionTalk& talk, Processes& processes) {
+  AgentTalk& said = processes.agentSaid;
   std::string line = "a script does not end while it loads";
-  while (pool.agent->readLine(line, 0)) said.hear(line, talk);
+  while (processes.agent->readLine(line, 0)) said.hear(line, talk);
   if (code == behaviour::kHungLoadExit && said.complaint.empty())
     said.complaint = said.early.empty() ? line : said.early.back();
 }
 
 // Starts the watched agent again if it died while the match goes on; after a script that hung
 // also without being asked to.
-bool reviveAgent(const SessionTalk& talk, ThreadPool& pool) {
-  const int code = pool.agent->wait();
-  hearLast(code, talk, pool);
-  const bool may = pool.options.respawn || code == behaviour::kHungExit;
-  if (!may || pool.life + 1 >= kMaxLives || interrupted()) return false;
-  if (code == 0 || code == 2 || endsSoon(pool.world)) return false;
-  const auto command = agentCommand(pool.options, pool.runDirectory, pool.life + 1);
+bool reviveAgent(const SessionTalk& talk, Processes& processes) {
+  const int code = processes.agent->wait();
+  hearLast(code, talk, processes);
+  const bool may = processes.options.respawn || code == behaviour::kHungExit;
+  if (!may || processes.life + 1 >= kMaxLives || interrupted()) return false;
+  if (code == 0 || code == 2 || endsSoon(processes.world)) return false;
+  const auto command = agentCommand(processes.options, processes.runDirectory, processes.life + 1);
   auto process = Process::start(command, true);
   if (!process) return false;
-  ++pool.life;
-  pool.agent.emplace(std::move(*process));
+  ++processes.life;
+  processes.agent.emplace(std::move(*process));
   tell(fmt::format("the agent ended with code {}; it is started again", code), talk);
   return true;
 }
 
 // Runs until agent and world have ended. The world's death ends the agents (their sockets close);
 // an agent that ends in trouble takes the world with it.
-Ends waitForAll(const SessionTalk& talk, ThreadPool& pool) {
+Ends waitForAll(const SessionTalk& talk, Processes& processes) {
   Ends ends;
   bool asked = false;
   Patience patience;
-  while (!pool.agent->ended() || reviveAgent(talk, pool)) {
-    hearAll(50, talk, pool);
-    watchOthers(talk, pool, ends);
+  while (!processes.agent->ended() || reviveAgent(talk, processes)) {
+    hearAll(50, talk, processes);
+    watchOthers(talk, processes, ends);
     if (!asked && (interrupted() || (talk.over && talk.over()))) {
       asked = true;
-      pool.world.terminate();  // it ends the match, and with it the agents
+      processes.world.terminate();  // it ends the match, and with it the agents
     }
-    if ((asked || pool.world.ended()) && !ends.stuck && patience.ended(*pool.agent)) {
+    if ((asked || processes.world.ended()) && !ends.stuck && patience.ended(*processes.agent)) {
       ends.stuck = true;
-      ends.busy = patience.wasBusy(*pool.agent);
-      ends.stopped = pool.agent->stopped();
-      pool.agent->kill();
-      pool.others.kill();
+      ends.busy = patience.wasBusy(*processes.agent);
+      ends.stopped = processes.agent->stopped();
+      processes.agent->kill();
+      processes.others.kill();
     }
   }
-  ends.agent = pool.agent->wait();
-  if (ends.agent == 1) watchOthers(talk, pool, ends);
-  ends.worldAlive = ends.agent == 1 ? !endsSoon(pool.world) : !pool.world.ended();
-  if (ends.worldAlive && ends.agent != 0) pool.world.terminate();
-  ends.world = pool.world.wait();
+  ends.agent = processes.agent->wait();
+  if (ends.agent == 1) watchOthers(talk, processes, ends);
+  ends.worldAlive = ends.agent == 1 ? !endsSoon(processes.world) : !processes.world.ended();
+  if (ends.worldAlive && ends.agent != 0) processes.world.terminate();
+  ends.world = processes.world.wait();
   std::string line;
-  while (pool.agent->readLine(line, 0)) pool.agentSaid.hear(line, talk);
-  hearAll(0, talk, pool);
+  while (processes.agent->readLine(line, 0)) processes.agentSaid.hear(line, talk);
+  hearAll(0, talk, processes);
   return ends;
 }
 
 // A script is blamed only where one is asked in each frame and the agent computed on and on.
-std::string stuckHow(const Ends& ends, const ThreadPool& pool) {
+std::string stuckHow(const Ends& ends, const Processes& processes) {
   if (ends.stopped) return "the agent was stopped by a signal, and was killed";
-  if (pool.agentSaid.last.empty()) return "the agent had not begun to play and was killed";
-  const bool script = ends.busy && pool.options.driver.empty();
+  if (processes.agentSaid.last.empty()) return "the agent had not begun to play and was killed";
+  const bool script = ends.busy && processes.options.driver.empty();
   return std::string("the agent did not answer and was killed") +
          (script ? " (a script in a long call?)" : "");
 }
 
 // Who ends last has often only lost the others: the first cause is reported.
-std::string troubleOf(const Ends& ends, const ThreadPool& pool) {
-  const std::string when = "; last: " + pool.agentSaid.when();
+std::string troubleOf(const Ends& ends, const Processes& processes) {
+  const std::string when = "; last: " + processes.agentSaid.when();
   if (!ends.worldAlive && ends.world >= 128)
     return fmt::format("the world died (signal {})", ends.world - 128) + when;
-  if (ends.other) return pool.others.trouble() + when;
-  if (ends.stuck) return stuckHow(ends, pool) + when;
+  if (ends.other) return processes.others.trouble() + when;
+  if (ends.stuck) return stuckHow(ends, processes) + when;
   if (ends.agent >= 128) return fmt::format("the agent died (signal {})", ends.agent - 128) + when;
-  if (ends.agent == 2) return pool.agentSaid.complaint;
-  if (!pool.worldSaid.complaint.empty()) return pool.worldSaid.complaint;
+  if (ends.agent == 2) return processes.agentSaid.complaint;
+  if (!processes.worldSaid.complaint.empty()) return processes.worldSaid.complaint;
   if (ends.agent != 0)
-    return pool.agentSaid.complaint.empty() ? "the agent gave up" : pool.agentSaid.complaint;
+    return processes.agentSaid.complaint.empty() ? "the agent gave up"
+                                                 : processes.agentSaid.complaint;
   if (ends.world != 0) return fmt::format("the world stopped with code {}", ends.world);
   return {};
 }
 
-void watch(const SessionTalk& talk, ThreadPool& pool, SessionResult& result) {
-  const Ends ends = waitForAll(talk, pool);
-  result.trouble = troubleOf(ends, pool);
+void watch(const SessionTalk& talk, Processes& processes, SessionResult& result) {
+  const Ends ends = waitForAll(talk, processes);
+  result.trouble = troubleOf(ends, processes);
   result.interrupted = interrupted();
   if (result.interrupted && !result.trouble.empty())
-    result.trouble = "interrupted; last: " + pool.agentSaid.when();
-  result.badInput = ends.agent == 2 || (ends.other && pool.others.badInput());
+    result.trouble = "interrupted; last: " + processes.agentSaid.when();
+  result.badInput = ends.agent == 2 || (ends.other && processes.others.badInput());
 }
 
 void keepLog(const SessionOptions& options, const SessionTalk& talk, SessionResult& result) {
@@ -321,8 +322,8 @@ void play(const SessionOptions& options, const SessionTalk& talk, const RunDirec
   }
   const bool blue = options.team == "blue";
   std::optional<Process> watched(std::move(*agent));
-  ThreadPool pool{options, runDirectory, *world, watched, *others, 0, {blue, {}}, {}};
-  watch(watchLogs(options, talk, result), pool, result);
+  Processes processes{options, runDirectory, *world, watched, *others, 0, {blue, {}}, {}};
+  watch(watchLogs(options, talk, result), processes, result);
   keepLog(options, talk, result);
   if (!result.trouble.empty()) return;
   readResult(runDirectory.path("result.json"), blue, result);

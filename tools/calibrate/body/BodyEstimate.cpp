@@ -14,8 +14,8 @@ namespace {
 constexpr int kLooks = 3;             // vision looks again with what was found
 constexpr double kFirstGate = 15.0;   // px
 constexpr std::size_t kMinKinds = 2;  // of landmarks; lines tell the rest
-// Share of the line points near a line: 0.86 to 0.93 in 11 unlike worlds, half of them with three
-// landmarks and fewer.
+// Share of the line points near a line: 0.86 to 0.93 in 11 randomised worlds, half of them with
+// three landmarks and fewer.
 constexpr double kMinOnLines = 0.7;
 constexpr double kMaxMoved = 4.0;  // cm between the two halves of the stand
 // Sd with the log over that without: at 0.5 the log alone tells it 1.7 times as well.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which unlike world (tools/sim/bodies/Unlike.h) a command line asks for; the same words for play,
-// evaluate and kelpie-world.
+// Which randomised world (tools/sim/bodies/Randomisation.h) a command line asks for; the same words
+// for play, evaluate and kelpie-world.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 namespace kelpie::cli {
 
 struct RandomisationOptions {
-  std::uint64_t seed = 0;         // 0: the like world
+  std::uint64_t seed = 0;         // 0: the nominal world
   std::vector<std::string> only;  // kinds; empty: all
   double tiltError = 0.0;         // deg, constant, of every robot, whatever the seed
   double rollError = 0.0;         // deg
 };
 
-// --unlike and --unlike-only.
+// --randomise and --randomise-only.
 void addRandomisationOptions(CommandLine& command, RandomisationOptions& options);
 // --tilt-error and --roll-error.
 void addLeanOptions(CommandLine& command, RandomisationOptions& options);

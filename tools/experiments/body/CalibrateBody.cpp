@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `kelpie calibrate body` finds from twenty seconds of standing and looking round in stops,
-// against what was drawn for the robot: every trial is another robot in another unlike world (or
-// the like one, without --unlike) that stands somewhere else. The estimator reads the agent's log
-// alone. At rest the head has sunk through the play of neck and nod, which is part of the truth.
+// against what was drawn for the robot: every trial is another robot in another randomised world
+// (or the nominal one, without --randomise) that stands somewhere else. The estimator reads the
+// agent's log alone. At rest the head has sunk through the play of neck and nod, which is part of
+// the truth.
 #include <algorithm>
 #include <cmath>
 

@@ -11,7 +11,8 @@
 
 namespace kelpie::experiments {
 
-// A match as the request asks for it: body, unlike world, parameter files; the seed is the trial's.
+// A match as the request asks for it: body, randomised world, parameter files; the seed is the
+// trial's.
 cli::SessionOptions sessionOf(const Request& request, const Trial& trial);
 
 // What is played: `count` matches, by their numbers from 0.

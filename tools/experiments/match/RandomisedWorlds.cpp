@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What holds where Kelpie was tuned beside what holds elsewhere: objects, localise, kidnap and
-// score-empty-goal as they are, in the like world and in as many unlike ones as there are trials.
+// score-empty-goal as they are, in the nominal world and in as many randomised ones as there are
+// trials.
 #include <array>
 
 #include "tools/experiments/harness/Experiment.h"

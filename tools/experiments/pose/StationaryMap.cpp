@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the map of a standing robot is worth: the pose after five seconds of standing and looking
+// How much the map of a standing robot helps: the pose after five seconds of standing and looking
 // about, from a start known within 40 cm and 20 deg, on lines alone, with the map and without; and
 // from no start at all by the search on the map. One landmark-free stand cannot tell a pose from
 // its twin, so the search is compared with the nearer of both.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a goalie is worth (checklist A-4.3.1.0): the same attacker from the same starts against the
+// How much a goalie helps (checklist A-4.3.1.0): the same attacker from the same starts against the
 // goalie of 2006, that of 2004 and an empty goal. Every try begins with the scenario attack of its
 // seed and ends with a goal or after 60 s.
 #include <array>

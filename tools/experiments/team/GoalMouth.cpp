@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scrums before a goal, one every ten seconds of a match by the rules: hands put the ball there,
+// Scrums before a goal, one every ten seconds of a match by the rules: the ball is put there,
 // two attackers of the other team near it and one more of the own, who turn to it. How many become
 // goals, and own goals: matches have one own goal in forty minutes, too few to tell two goalies
 // apart. The goalie stands where the scrum before has left it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a non-attacker's way home was worth, by the true places: when it got there, and how often it
+// How good a non-attacker's way home was, by the true places: when it got there, and how often it
 // ran into an opponent on the way.
 #pragma once
 

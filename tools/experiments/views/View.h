@@ -85,7 +85,7 @@ class ViewMaker {
   View view_;
 };
 
-// Calls use(view) for one view a trial, in the unlike world that the request asks for.
+// Calls use(view) for one view a trial, in the randomised world that the request asks for.
 template <class Use>
 void eachView(ViewParams params, const Request& request, Use&& use) {
   params.randomised = cli::paramsOf(request.randomised);

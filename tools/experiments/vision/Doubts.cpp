@@ -4,7 +4,7 @@
 // views, each view with what the others taught. Bodies lean as much as their robots know
 // (TiltClaim). tools/curves makes BallCurves.cpp, BeaconCurves.cpp and RobotCurves.cpp of the
 // learned ones; those of GoalFacts are of 60 000 views of bodies that do not lean. Learned here
-// with half of the views in unlike worlds, they lost 6 % of the like world's goals for 2 %.
+// with half of the views in randomised worlds, they lost 6 % of the nominal world's goals for 2 %.
 #include <algorithm>
 #include <cmath>
 
@@ -119,7 +119,7 @@ Json figuresOf(const Candidates& all, int views) {
   return json;
 }
 
-// In unlike worlds every second view is of the like one: the curves must hold in both.
+// In randomised worlds every second view is of the nominal one: the curves must hold in both.
 std::vector<Request> halvesOf(const Request& request) {
   if (request.randomised.seed == 0) return {request};
   Request like = request;

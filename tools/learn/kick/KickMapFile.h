@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A kick map as the Python module that the behaviours read (pycode/data/kick_map.py), numbers
-// rounded to what their spread makes worth telling, and read again from its text.
+// rounded to what their spread makes significant, and read again from its text.
 #pragma once
 
 #include <string>

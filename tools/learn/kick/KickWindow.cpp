@@ -11,7 +11,7 @@ namespace {
 constexpr double kSure = 0.8;     // share of balls that go, at every place of a window
 constexpr double kAlike = 15.0;   // deg between the ways from a window's places and its best
 constexpr double kFar = 200.0;    // cm that count as whole
-constexpr double kWildSd = 30.0;  // deg of direction that are worth nothing
+constexpr double kWildSd = 30.0;  // deg of direction that have no utility
 
 struct Sums {
   double count = 0.0;

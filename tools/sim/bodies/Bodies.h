@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The robots of a world and the ball, moved by ticks of 8 ms: physical ones (physics/) or kinematic
-// ones (`--fast`). All that the world around them, referee, camera, sensors, hands, needs of them.
+// ones (`--fast`). All that the world around them, referee, camera, sensors, interventions, needs
+// of them.
 #pragma once
 
 #include <array>
@@ -67,7 +68,7 @@ class Bodies {
   virtual std::optional<std::size_t> ballToucher() const = 0;
   virtual void putBall(const Ball& ball) = 0;
 
-  // Somebody's hands, as World has them; places and shares have been checked.
+  // Interventions, as World has them; places and shares have been checked.
   virtual void carry(std::size_t robot, const Pose2& pose) = 0;
   virtual void hold(std::size_t robot, double share) = 0;
   virtual void shove(std::size_t robot, Point2<Field> way, Angle turn) = 0;

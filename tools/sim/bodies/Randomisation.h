@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a world differs from the one that Kelpie was tuned in, drawn from a seed: each robot's body,
 // physics, neck, lens, shutter and uniform, and the place that it plays in. No two real robots and
-// no two venues are alike; the like world (seed 0) has none of this. Every kind of difference can
-// be switched off by itself and has its own random numbers, so that one never changes another.
+// no two venues are alike; the nominal world (seed 0) has none of this. Every kind of difference
+// can be switched off by itself and has its own random numbers, so that one never changes another.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ constexpr const char* kRandomisedTopic = "/randomised";
 
 // What kinds of difference there are, and how large they are drawn.
 struct RandomisationParams {
-  std::uint64_t seed = 0;  // 0: the like world
-  Lean lean;               // constant, of every robot, in the like world too: for experiments
+  std::uint64_t seed = 0;  // 0: the nominal world
+  Lean lean;               // constant, of every robot, in the nominal world too: for experiments
 
   bool body = true;     // lean and accelerometer
   bool physics = true;  // servos, mass, friction and play of legs (physics/Variation.h)
@@ -59,8 +59,8 @@ struct RandomisationParams {
   // but does not say of what moment: a camera that stamps the delivery of what was exposed in the
   // frame before looks the same. Share of such robots [chosen].
   double lagging = 0.5;
-  // A robot's linear shift is within the like world (ColourShift). Exponents of Y, and of Cr and Cb
-  // about grey, differ from 1 by up to these [chosen]: middle grey by 12 levels, a full colour
+  // A robot's linear shift is within the nominal world (ColourShift). Exponents of Y, and of Cr and
+  // Cb about grey, differ from 1 by up to these [chosen]: middle grey by 12 levels, a full colour
   // by 4.
   double toneY = 0.14;
   double toneChroma = 0.08;
@@ -125,14 +125,14 @@ struct RandomisedWorld {
   }
 };
 
-// `match`: the seed of the match or trial; each has an unlike world of its own.
+// `match`: the seed of the match or trial; each has a randomised world of its own.
 RandomisedRobot drawRandomisedRobot(const RandomisationParams& params, std::uint64_t match,
                                     std::size_t robot);
 Venue drawRandomisedVenue(const RandomisationParams& params, std::uint64_t match);
 RandomisedWorld drawRandomised(const RandomisationParams& params, std::uint64_t match,
                                std::size_t robots);
 
-// The kinds by name, as for --unlike-only.
+// The kinds by name, as for --randomise-only.
 std::vector<std::string> randomisedKinds();
 // That seed with only these kinds; with all if none is named. Names must be known.
 RandomisationParams randomisationParams(std::uint64_t seed, const std::vector<std::string>& only);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the ERS-7's camera does to colours: blur, the difference between robots, the ring effect,
-// noise and, of unlike robots, a response that is not linear, in that order. Each can be switched
-// off.
+// noise and, of randomised robots, a response that is not linear, in that order. Each can be
+// switched off.
 #pragma once
 
 #include <array>

@@ -69,7 +69,7 @@ struct Disc {
   double darkens = 0.0;
 };
 
-// How a robot's uniform has aged: drawn for robots of unlike worlds.
+// How a robot's uniform has aged: drawn for robots of randomised worlds.
 struct Uniform {
   double fade = 0.0;    // share of the way from the team's colour to grey
   double scuffs = 0.0;  // of the shell's white or of dirt, on each upright face, mean number

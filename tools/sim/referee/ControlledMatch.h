@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A match that somebody outside rules with a game controller. States, kick-off, clock, scores and
-// penalties are what its newest packet says. Hands and eyes are the world's: who is penalised is
+// penalties are what its newest packet says. The world carries them out: who is penalised is
 // put off the field and comes back at the half-way line; the ball lies in the middle before a
 // kick-off, and at set whoever stands where it may not is put elsewhere; a ball that goes out is
 // put on the throw-in line; one in a goal stays there until the controller decides. An out that it

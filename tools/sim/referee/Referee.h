@@ -38,7 +38,7 @@ class Referee {
  public:
   Referee(const RefereeParams& params, const body::FieldDescription& field);
 
-  // What hands are to do after a tick of the world, by the rules or without.
+  // What is to be moved after a tick of the world, by the rules or without.
   Verdict judge(const MatchScene& scene);
   // Without rules: whether it put the ball elsewhere.
   bool tick(TimeUs now, Ball& ball);

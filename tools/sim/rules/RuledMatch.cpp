@@ -164,7 +164,7 @@ void RuledMatch::runClock() {
   if (*began == EventKind::set) takePlaces();
   if (*began == EventKind::play) goOn();
   if (*began == EventKind::end) return;
-  // The hands that take the ball out of a goal or an arm put it where the next kick-off is.
+  // Who takes the ball out of a goal or an arm puts it where the next kick-off is.
   if (*began != EventKind::play) putBall(middle);
   kickOff_ = {};
 }

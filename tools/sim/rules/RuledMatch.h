@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A match by the rules of the field description: the steps of this folder in their order over one
-// scene, and what the referee's hands then do. While the ball is in play: last toucher, goals,
+// scene, and what is then put elsewhere. While the ball is in play: last toucher, goals,
 // balls out, fouls, a stuck ball; always: penalties that end and the clock. Every call is one
 // MatchEvent. Assumes scenes of the same players, in the order of time.
 #pragma once
@@ -20,7 +20,7 @@
 
 namespace kelpie::sim {
 
-// What hands are to do: put the ball somewhere, carry robots somewhere.
+// What is to be moved: the ball put somewhere, robots carried somewhere.
 struct Carry {
   std::size_t robot = 0;
   Pose2 place;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kRoll = 1.33;  // s
 // A shot that hits legs and chest bounces off them for about so long: the same save.
 constexpr TimeUs kSave{300000};
-// Who touched the ball so lately is at it still: as long as a save, chosen and not measured.
+// Who touched the ball so recently is at it still: as long as a save, chosen and not measured.
 constexpr TimeUs kAtBall{300000};
 
 // The velocity as that team sees it: y < 0 is towards its goal.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person sets up beside a scenario: robots at places of their own, the ball, and what hands
-// do later: balls that are thrown, the ball taken away, robots carried off. As words of a command
-// line:
+// What a person sets up beside a scenario: robots at places of their own, the ball, and later
+// interventions: balls that are thrown, the ball taken away, robots carried off. As words of a
+// command line:
 //
 //   place   TEAM:PLAYER:X,Y,DEG             red:1:180,100,90
 //   ball    X,Y or X,Y,VX,VY                180,270,0,50

@@ -41,7 +41,7 @@ struct BallTake {
   std::optional<Point2<Field>> back;  // where; else in the middle
 };
 
-// Hands carry a robot elsewhere.
+// Somebody carries a robot elsewhere.
 struct RobotCarry {
   double time = 0.0;  // s
   host::AgentHello robot;

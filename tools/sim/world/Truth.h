@@ -65,7 +65,7 @@ enum class EventKind : std::uint8_t {
   back,     // it comes back
   stuck,    // the ball went nowhere and is put elsewhere
   placed,   // a robot is put by hand where it may stand for the kick-off
-  // Of the user's hands (Intervention.h):
+  // Of the user's interventions (Intervention.h):
   taken,     // the ball is taken away
   returned,  // it lies at `place` again
   carried,   // the robot is put down at `place`

@@ -131,15 +131,15 @@ void World::obey(const Verdict& verdict) {
 // The referee has no ball to put anywhere while somebody else has it.
 std::array<Verdict, 2> World::judge() {
   MatchScene scene = matchScene();
-  const Verdict hands = interventions_.step(scene);
-  obey(hands);
-  if (hands.ball || !hands.carries.empty()) scene = matchScene();
+  const Verdict intervened = interventions_.step(scene);
+  obey(intervened);
+  if (intervened.ball || !intervened.carries.empty()) scene = matchScene();
   scene.ballAway = interventions_.ballAway();
   if (scene.ballAway) scene.ball = {interventions_.takenFrom(), {}};
   Verdict calls = referee_.judge(scene);
   if (scene.ballAway) calls.ball.reset();
   obey(calls);
-  return {hands, calls};
+  return {intervened, calls};
 }
 
 std::vector<MatchEvent> World::takeEvents() {

@@ -118,7 +118,7 @@ class World {
   // A game controller outside has sent this; it rules with RefereeParams::controlled.
   void hear(const net::GameControlData& control) { referee_.hear(control); }
   TruthFrame truth(TimeUs time) const;
-  // What was drawn of it when it is unlike; for logs.
+  // What was drawn of it when it is randomised; for logs.
   const RandomisedWorld& randomised() const { return randomised_; }
   bool isRandomised() const {
     return params_.randomised.seed != 0 || !params_.randomised.lean.level();
@@ -126,7 +126,7 @@ class World {
   Ball ball() const { return bodies_->ball(); }
   void putBall(const Ball& ball) { bodies_->putBall(ball); }
   const Score& score() const { return referee_.score(); }
-  // Of referee and hands, in the order of time.
+  // Of referee and interventions, in the order of time.
   std::vector<MatchEvent> takeEvents();
 
  private:
@@ -142,7 +142,7 @@ class World {
   void senseAll();
   void throwBalls();
   void obey(const Verdict& verdict);
-  // Of hands and referee, obeyed.
+  // Of interventions and referee, obeyed.
   std::array<Verdict, 2> judge();
 
   WorldParams params_;
