@@ -22,7 +22,7 @@ NEARNESS = 0.6         # [0.3, 1] utility of a ball in the goal line's middle, i
 FALL_OFF = 650.0       # cm away, about the field's diagonal
 OUT = 0.5              # [0.25, 1] share of that utility which a ball out of the field keeps
 OWN_END = 45.0         # cm from the own goal line: a ball that goes there has a utility
-OWN_END_UTILITY = -0.5   # of so much, since it may be an own goal
+OWN_END_UTILITY = -0.5  # of so much, since it may be an own goal
 LET_GO = 0.7           # [0.35, 1] share of its place's utility that a ball let go keeps
 FREED = 0.4            # [0.2, 0.8] share of the kicks that move the ball farther than 30 cm with
                        # somebody under the nose: 11 of 29 in two matches, of the others 59 of 76

@@ -20,7 +20,7 @@ SEEN_S = 2.0         # s; of opponents
 SHOT_FROM = 230.0    # cm from which a ball reaches the goal (skills/ball/grab_dribble.py)
 SHOT = 0.5           # utility of a shot at the goal from the line
 LOST = 0.25          # share of a utility that is lost in taking the ball
-MIN_GAIN = 0.08    # [0.04, 0.16] by which a pass must have more utility than the own kick
+MIN_GAIN = 0.08      # [0.04, 0.16] by which a pass must have more utility than the own kick
 
 
 def utility_at(world, place) -> float:

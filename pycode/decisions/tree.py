@@ -19,7 +19,7 @@ KICK_AHEAD = 'kick_ahead'   # ours, of the kick map alone: a free ball straight 
 
 SHOOTING = 170.0     # cm to the goal from which a held ball is shot at a gap
 ROUGHLY_UP = 30.0    # deg: "facing roughly the right direction", Alg 5.3
-MAX_REASON = 80     # characters of a trace's reason
+MAX_REASON = 80      # characters of a trace's reason
 
 
 class Node:

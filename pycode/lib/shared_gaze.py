@@ -13,7 +13,7 @@ from lib.steer import aim_at
 IMAGE_HALF_WIDTH = 28.4    # deg from the middle of the image to its side,
 IMAGE_UP = 22.6       # and to its upper edge
 INSIDE = 6.0          # of a landmark's middle from that side: a third of a beacon's height
-LATERAL = 14.0          # the ball is moved at most; at 1 m it is 5 deg wide
+LATERAL = 14.0        # the ball is moved at most; at 1 m it is 5 deg wide
 HORIZON_IN = 5.0      # deg of the image above the horizon that are wanted
 EYES = 17.0           # cm that the camera is above the top of the ball
 BALL = 8.6            # cm

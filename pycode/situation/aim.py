@@ -9,8 +9,8 @@ from situation.goal import sure
 from situation.memory import target_goal
 
 PADDING = 0.25         # of the gap's width, to each side of its middle (U06)
-MIN_PADDING = 2.5    # deg: narrower cannot be turned to
-MAX_PADDING = 8.0     # deg: a near goal is wide, but its middle is safest
+MIN_PADDING = 2.5      # deg: narrower cannot be turned to
+MAX_PADDING = 8.0      # deg: a near goal is wide, but its middle is safest
 AIMED_FRAMES = 4       # accumulated, Alg 6.6 (G44)
 CARRIED_FRAMES = 15    # for which a gap that is out of sight is still aimed at
 LEFT = 'left'

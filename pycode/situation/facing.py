@@ -41,7 +41,7 @@ def off_box(world) -> float:
 class Facing:
     def __init__(self):
         self.wrong = None       # (why, number) if the goalie faces the wrong way in this frame
-        self.lateral = 0.0        # deg from the robot's heading to up-field, as the pose says
+        self.lateral = 0.0      # deg from the robot's heading to up-field, as the pose says
         self.own_goal = 0       # frames that saw it ahead, less those that did not
         self.landmark_s = None  # when a landmark was last seen
         self.near_box_s = None  # when the pose was last near the box

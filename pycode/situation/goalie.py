@@ -19,7 +19,7 @@ from situation.time_to import heard_of
 SEEN = 0.4           # s; a ball unseen for longer is not acted on
 HAS_STILL = 0.4      # s for which an opponent has the ball, or presses, on; in all
 HAS_LONGEST = 4.0    # s; the rules let it hold the ball for 3
-REPORTED_SD = 5.0        # cm; of vaguer balls of the team one in ten is more than 25 cm off
+REPORTED_SD = 5.0    # cm; of vaguer balls of the team one in ten is more than 25 cm off
 
 
 def seen(world, seconds=SEEN) -> bool:

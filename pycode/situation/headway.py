@@ -11,7 +11,7 @@ NEAR = 18.0           # cm; nearer, the robot may be meant to stop
 AWAY = 15.0           # cm; a ball that much farther off rolls away, and all begins anew
 WALKS_AHEAD = 8.0     # cm/s that are asked for
 NEARER = 4.0          # cm; the distance is wrong by 2 % (docs/physical-body.md)
-MAX_FRAMES = 45      # a walk that is free goes 50 cm in them
+MAX_FRAMES = 45       # a walk that is free goes 50 cm in them
 
 
 class Headway:

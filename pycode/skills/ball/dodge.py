@@ -14,7 +14,7 @@ from skills.ball.hold import SIDE_SPEED, carry
 PIXELS = 12            # obstacle points in the box of 50 x 100 cm ahead (U07)
 MAP_COUNT = 12.0       # of the obstacle map in the corridor ahead
 AHEAD = 45.0  # cm,
-LATERAL = 15.0  # cm of that corridor: to its end, to each side
+LATERAL = 15.0         # cm of that corridor: to its end, to each side
 GOALIE_BOX = 60.0      # cm before the goal line: there it is the goalie
 RELEASE_GOALIE = 7  # frames,
 RELEASE_OTHER = 30  # frames

@@ -11,7 +11,7 @@ from lib.geom import Point, clamp, heading
 class Approach:
     SLOW_DOWN = 45.0         # distance from which the speed falls
     SPEED = 34.0  # cm/s
-    MIN_SPEED = 10.0  # cm/s
+    MIN_SPEED = 10.0         # cm/s
     TURN_GAIN = 1.8          # deg/s per deg
     TURN_SPEED = 70.0  # deg/s
     TURN_FIRST = 50.0        # a ball farther off: turn on the spot

@@ -41,7 +41,7 @@ START_S = 0.5            # for the motion to begin
 LONGEST_S = 2.0  # s
 PAWS_NEAR = 3.0  # cm,
 PAWS_FAR = 11.0  # cm ahead of the neck: there a gripped ball lies,
-PAWS_LATERAL = 4.0                  # and so far to the side (docs/physical-body.md)
+PAWS_LATERAL = 4.0  # and so far to the side (docs/physical-body.md)
 
 
 def walk_kind(away, lateral, last):

@@ -35,7 +35,7 @@ STILL = 5.0             # cm/s,
 STILL_TURN = 15.0       # deg/s; out of a turn balls went 6 deg off, out of a
                                   # walk half as far
 TURN_GAIN = 4.0         # deg/s per deg
-MIN_TURN = 25.0       # deg/s: the dribble walk hardly turns slower
+MIN_TURN = 25.0         # deg/s: the dribble walk hardly turns slower
 DELAY = 0.13            # s from a command to the body's turn
 CARRY_UNTIL = 1.8       # [0.9, 3.6] s: later there is no time for a way that matters
 CARRY_TO = 65.0         # [32.5, 130] cm to the goal from which carrying on helps no more: of 52

@@ -15,7 +15,7 @@ class Paw:
     TURN_GAIN = 3.0  # deg/s per deg
     TURN = 120.0  # deg/s
     VISUAL = 15.0            # cm; a seen ball that near starts the attack
-    LATERAL = 40.0             # deg; one seen farther off ends it
+    LATERAL = 40.0           # deg; one seen farther off ends it
 
 
 class PawKick(Skill):

@@ -37,8 +37,8 @@ class Look:
     RETURN = 0.25            # s at the angle of before, then at where gps has the ball
     BELIEVED = 0.4  # s
     LOST = 0.25              # s unseen while it is looked at
-    REPORTED = 0.5  # s,
-    REPORTED_EVERY = 2.0  # s of looking to where mates see it, out of so many
+    REPORTED = 0.5           # s,
+    REPORTED_EVERY = 2.0     # s of looking to where mates see it, out of so many
 
 
 def side_of(x) -> float:
@@ -48,7 +48,7 @@ def side_of(x) -> float:
 
 class Hints:
     """What a goalie's head knows of the pose, and of the ball by mates: nothing."""
-    reported = None            # where mates see a ball that the goalie has lost
+    reported = None        # where mates see a ball that the goalie has lost
     pose_lost = False      # a survey now, unless a ball comes
     gave_in_s = -math.inf  # when a jump of the pose was believed: a survey once the ball is far
 

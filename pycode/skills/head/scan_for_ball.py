@@ -16,7 +16,7 @@ LOW_SPEED = 8.0   # deg per frame
 HIGH_SPEED = 9.0  # deg per frame
 LOOK_DOWN_TILT = -30.0               # deg, where a ball at the feet may be (facts-2005 7.2)
 LOOK_DOWN_WITHIN = 40.0              # deg of pan
-MIN_NOD = -5.0                     # deg; with the neck up the head would touch it (openr.md 5.6)
+MIN_NOD = -5.0                       # deg; with the neck up the head would touch it (openr.md 5.6)
 # deg above the horizon: from 20 cm away to the horizon all is in the image, 45 deg high. Ours, for
 # who does not know where the ball is; rows of joint angles look up at the sides of a leaning body.
 LEVEL = -20.0

@@ -14,7 +14,7 @@ from safety.own_box import clear_of, held_off
 from skills.head.track_ball import TrackBall
 
 FAR = 100.0      # cm to the ball (U02)
-LATERAL = 55.0     # cm from the ball's line, where the goalie's kick does not come
+LATERAL = 55.0   # cm from the ball's line, where the goalie's kick does not come
 EDGE = 25.0      # cm from the side line
 ARRIVED = 6.0    # cm
 SPEED = 26.0     # cm/s

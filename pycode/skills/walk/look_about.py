@@ -12,7 +12,7 @@ from situation.ball_at_body import under_chin
 
 BACK_OFF = -15.0     # cm/s from a ball under the chin
 TURN = 110.0         # deg/s to the side where a near ball was lost,
-MAX_TURNED = 105.0  # deg from up-field (who faces wrong is turned back), and slower
+MAX_TURNED = 105.0   # deg from up-field (who faces wrong is turned back), and slower
 KICKED_TURN = 70.0   # deg/s after a kick: a ball at the flank then rolls 20 cm and no farther
 
 

@@ -16,7 +16,7 @@ from skills.walk.guard_goal import OF_2006, GuardGoal
 
 FRAME_S = 1.0 / 30.0
 LATE = 3            # frames from a command to the legs
-REPORTED = 2            # frames from the ball to what is known of it
+REPORTED = 2        # frames from the ball to what is known of it
 DRAG, BRAKE = 0.76, 6.0
 # Motion: cover to the left and to the right (cm), from, to and end (s after its beginning).
 BLOCKS = {kelpie.BLOCK: (21.4, 21.4, 0.12, 1.0, 1.7),
