@@ -9,7 +9,7 @@ namespace {
 constexpr double kSeconds = 0.4;  // about a step
 constexpr double kShare = kTickSeconds / kSeconds;
 constexpr double kMax = 0.3;  // walks on varied models are within 0.15
-// rad2 a tick, a twentieth of a quick walk's: less than half a step's worth says little, and the
+// rad2 a tick, a twentieth of a quick walk's: less than half a step says little, and the
 // sensors' noise is a twentieth of it.
 constexpr double kLittle = 1e-4;
 
