@@ -10,7 +10,7 @@
 
 namespace kelpie::actuator {
 
-// What an oscillation depends on.
+// What a sway depends on.
 struct Stride {
   Velocity feet;
   PhaseState phase;
@@ -27,7 +27,7 @@ enum class OscillationSymmetry : std::uint8_t { same, opposite };
 OscillationCurve oscillationFactors(const Stride& stride, const StrokeLimits& max,
                                     OscillationSymmetry side);
 
-// The stance by the legs, with the oscillation of that stride.
+// The stance by the legs, with the sway of that stride.
 Stance oscillating(const Stance& legs, const Stride& stride, const WalkSet& set);
 
 // Where the robot frame is beside its even way.

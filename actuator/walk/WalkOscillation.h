@@ -7,7 +7,7 @@
 
 namespace kelpie::actuator {
 
-// One part of an oscillation that comes round each step, or twice in it, by the phase of the walk.
+// One part of a sway that comes round each step, or twice in it, by the phase of the walk.
 struct Wave {
   double cosine = 0.0;
   double sine = 0.0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What comes of the feet's speed: the curves and cross terms of WalkCalibration, a walk's odometry,
-// its free load and its oscillation, fitted by least squares to walks that were measured
-// (WalkSamples.h).
+// its free load and its sway, fitted by least squares to walks that were measured (WalkSamples.h).
 #pragma once
 
 #include <vector>

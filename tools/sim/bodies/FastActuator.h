@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an agent must know of a kinematic body, whose feet carry it without slip or oscillation:
-// odometry is estimated from the joints alone, and motions take it nowhere. Its walks are those of
-// physical bodies.
+// What an agent must know of a kinematic body, whose feet carry it without slip or sway: odometry
+// is estimated from the joints alone, and motions take it nowhere. Its walks are those of physical
+// bodies.
 #pragma once
 
 #include "actuator/ActuatorParams.h"
