@@ -15,7 +15,7 @@ std::vector<std::string> agentCommand(const SessionOptions& options,
 // Each of its lives, of which respawned agents have several, has a log of its own.
 std::string agentLog(const SessionOptions& options, const RunDirectory& runDirectory, int life);
 // Where a process writes a log of that name: into FOLDER/playing of a log that is kept, else into
-// the runDirectory.
+// the run directory.
 std::string partPath(const SessionOptions& options, const RunDirectory& runDirectory,
                      const std::string& name);
 // "red-1.mcap", "red-1-2.mcap" of its second life.

@@ -128,8 +128,8 @@ int fromLog(const BodyOptions& options) {
   if (!log) return fail(log.error(), kExitBadInput);
   const auto estimate = calibrate::estimateBody(*log);
   if (!estimate) return fail(options.input + ": " + estimate.error(), kExitBadInput);
-  const bool lateral = options.out == "-";  // the file is all that standard output gets
-  if (!lateral) tell(*estimate);
+  const bool quiet = options.out == "-";  // the file is all that standard output gets
+  if (!quiet) tell(*estimate);
   const Status within = checkRanges(estimate->unknowns);
   if (!within) return fail(within.error(), kExitBadInput);
   const int code = write(
@@ -137,8 +137,7 @@ int fromLog(const BodyOptions& options) {
   if (!options.picture.empty()) {
     const Status drawn = calibrate::writeResidualPicture(*estimate, options.picture);
     if (!drawn) return fail(drawn.error(), kExitBadInput);
-    if (!lateral)
-      fmt::print("{}: how far sightings lie beside, before and after\n", options.picture);
+    if (!quiet) fmt::print("{}: how far sightings lie beside, before and after\n", options.picture);
   }
   if (log->lacks.empty() || code != kExitDone) return code;
   return fail(options.input + ": " + log->lacks + "; calibrated with the rest", kExitBadInput);
@@ -150,13 +149,12 @@ int fromSizes(const BodyOptions& options) {
   const auto fit = calibrate::fitSizes(options.input + "/");
   if (!fit) return fail(fit.error(), kExitBadInput);
   constexpr std::array<const char*, calibrate::kSizedObjects> kNames = {"ball", "beacon", "goal"};
-  const bool lateral = options.out == "-";  // the file is all that standard output gets
-  for (std::size_t i = 0; i < calibrate::kSizedObjects && !lateral; ++i)
+  const bool quiet = options.out == "-";  // the file is all that standard output gets
+  for (std::size_t i = 0; i < calibrate::kSizedObjects && !quiet; ++i)
     fmt::print("{:<6} {:3} measured, edge {:5.2f} px, error of distance {:.1f} -> {:.1f} cm\n",
                kNames[i], fit->measured[i], fit->optics[i].edge, fit->before[i].rms,
                fit->after[i].rms);
-  if (!lateral)
-    fmt::print("lens.focalLength {:9.3f} +- {:.3f} px\n", fit->focalLength, fit->focalSd);
+  if (!quiet) fmt::print("lens.focalLength {:9.3f} +- {:.3f} px\n", fit->focalLength, fit->focalSd);
   Estimated focal;
   focal.value = fit->focalLength;
   focal.sd = fit->focalSd;
