@@ -11,7 +11,7 @@
 namespace kelpie::behaviour {
 namespace {
 
-// Stands and looks left and right: harmless, and the ball may come into view.
+// Stands and looks left and right: nothing can go wrong, and the ball may come into view.
 Command standAndScan(const FrameInput& input, const BehaviourParams& params, Fallback reason) {
   const double phase = 2.0 * maths::kPi * input.time.seconds() / params.scanPeriod;
   Command command;

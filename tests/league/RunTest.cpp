@@ -14,9 +14,9 @@ namespace kelpie::league {
 namespace {
 
 // A journal in a folder of the running test's own.
-Expected<Journal> freshJournal(const std::string& name = "") {
+Expected<LeagueJournal> freshJournal(const std::string& name = "") {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return Journal::open(testing::TempDir() + "/run-" + test->name() + name, smallPlan());
+  return LeagueJournal::open(testing::TempDir() + "/run-" + test->name() + name, smallPlan());
 }
 
 MatchResult troubled(const std::string& trouble) {

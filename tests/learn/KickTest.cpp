@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "tools/learn/kick/KickLearner.h"
+#include "tools/learn/motion/BallInHold.h"
 #include "tools/learn/motion/GrabTrial.h"
-#include "tools/learn/motion/HeldBall.h"
 #include "tools/learn/motion/MotionFile.h"
 #include "tools/learn/walk/WalkLearner.h"
 

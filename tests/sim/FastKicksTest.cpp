@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tools/learn/motion/HeldBall.h"
+#include "tools/learn/motion/BallInHold.h"
 #include "tools/sim/bodies/WalkingBody.h"
 
 namespace kelpie::sim {

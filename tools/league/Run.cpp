@@ -40,7 +40,7 @@ MatchResult playOnce(const Play& play, const LeagueMatch& match) {
 // What the threads share.
 class Round {
  public:
-  Round(Journal& journal, const Play& play, const RunTalk& talk)
+  Round(LeagueJournal& journal, const Play& play, const RunTalk& talk)
       : journal_(journal), play_(play), talk_(talk) {}
 
   void work() {
@@ -94,7 +94,7 @@ class Round {
     if (talk_.finished) talk_.finished(match, result);
   }
 
-  Journal& journal_;
+  LeagueJournal& journal_;
   const Play& play_;
   const RunTalk& talk_;
   std::mutex mutex_;  // of the journal and of what follows
@@ -105,7 +105,7 @@ class Round {
 
 }  // namespace
 
-Expected<RunSummary> runLeague(Journal& journal, const Play& play, int workers,
+Expected<RunSummary> runLeague(LeagueJournal& journal, const Play& play, int workers,
                                const RunTalk& talk) {
   Round round(journal, play, talk);
   std::vector<std::thread> threads;

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "tools/league/Journal.h"
+#include "tools/league/LeagueJournal.h"
 
 namespace kelpie::league {
 
@@ -32,7 +32,7 @@ struct RunSummary {
 // `workers`: matches at a time, at least 1. A match in trouble is tried once more, and is void when
 // that fails as well. What ends in trouble after the request to stop is not kept: it was cut short.
 // Error: the journal could not be written; what it holds until then stays good.
-Expected<RunSummary> runLeague(Journal& journal, const Play& play, int workers,
+Expected<RunSummary> runLeague(LeagueJournal& journal, const Play& play, int workers,
                                const RunTalk& talk = {});
 
 }  // namespace kelpie::league

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/league/PairedStatistics.h"
 #include "tools/league/Schedule.h"
-#include "tools/league/Statistics.h"
 
 namespace kelpie::league {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "tools/learn/Cma.h"
-#include "tools/learn/Journal.h"
+#include "tools/learn/SearchJournal.h"
 
 namespace kelpie::learn {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 struct Run {
   const Gain& gain;
   const Listener& listener;
-  Journal journal;
+  SearchJournal journal;
   SearchResult result;
   Status written = Done{};
 

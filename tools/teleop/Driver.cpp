@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tools/learn/motion/HeldBall.h"
+#include "tools/learn/motion/BallInHold.h"
 
 namespace kelpie::teleop {
 namespace {

@@ -167,7 +167,7 @@ int playLeague(LeagueOptions& options) {
   const Status sides = readSides(options, folders);
   if (!sides) return fail(sides.error(), kExitBadInput);
   options.plan.fast = !options.physical;
-  auto journal = league::Journal::open(options.out, options.plan);
+  auto journal = league::LeagueJournal::open(options.out, options.plan);
   if (!journal) return fail(journal.error(), kExitBadInput);
   catchInterrupts();
   const std::size_t all = journal->schedule().size();

@@ -13,7 +13,7 @@
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trace.h"
 #include "tools/learn/kick/KickMapFile.h"
-#include "tools/learn/motion/HeldBall.h"
+#include "tools/learn/motion/BallInHold.h"
 #include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::experiments {

@@ -2,7 +2,7 @@
 #include "tools/experiments/team/TeamPairs.h"
 
 #include "tools/experiments/team/TeamMatch.h"
-#include "tools/league/Statistics.h"
+#include "tools/league/PairedStatistics.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "tools/learn/kick/KickMap.h"
+#include "tools/learn/kick/KickMapLearning.h"
 
 namespace kelpie::learn {
 

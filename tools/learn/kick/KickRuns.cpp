@@ -2,7 +2,7 @@
 // One run of a kick map: a robot that stands or walks kicks a ball at one place.
 #include <cmath>
 
-#include "tools/learn/kick/KickMap.h"
+#include "tools/learn/kick/KickMapLearning.h"
 
 namespace kelpie::learn {
 namespace {

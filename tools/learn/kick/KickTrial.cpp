@@ -6,7 +6,7 @@
 #include "actuator/MotionList.h"
 #include "actuator/motion/MotionPlayer.h"
 #include "robot/core/Random.h"
-#include "tools/learn/motion/HeldBall.h"
+#include "tools/learn/motion/BallInHold.h"
 
 namespace kelpie::learn {
 namespace {

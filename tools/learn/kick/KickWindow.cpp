@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/learn/kick/KickMap.h"
+#include "tools/learn/kick/KickMapLearning.h"
 
 namespace kelpie::learn {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "tools/learn/kick/KickTrial.h"
+#include "tools/learn/motion/BallInHold.h"
 #include "tools/learn/motion/GetUpTrial.h"
-#include "tools/learn/motion/HeldBall.h"
 
 namespace kelpie::learn {
 namespace {

@@ -2,9 +2,9 @@
 #include "tools/learn/motion/MotionScene.h"
 
 #include "tools/learn/kick/KickTrial.h"
+#include "tools/learn/motion/BallInHold.h"
 #include "tools/learn/motion/BlockTrial.h"
 #include "tools/learn/motion/GetUpTrial.h"
-#include "tools/learn/motion/HeldBall.h"
 
 namespace kelpie::learn {
 namespace {

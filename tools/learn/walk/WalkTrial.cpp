@@ -5,7 +5,7 @@
 
 #include "actuator/walk/WalkSpeed.h"
 #include "robot/core/Random.h"
-#include "tools/learn/motion/HeldBall.h"
+#include "tools/learn/motion/BallInHold.h"
 
 namespace kelpie::learn {
 namespace {

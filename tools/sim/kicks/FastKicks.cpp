@@ -12,8 +12,8 @@ using actuator::KeyFrame;
 using actuator::KeyLegs;
 using actuator::MotionData;
 
-// Where a ball is held (tools/learn/motion/HeldBall.h), and where it then lies, from the neck base,
-// cm.
+// Where a ball is held (tools/learn/motion/BallInHold.h), and where it then lies, from the neck
+// base, cm.
 constexpr double kNearest = 3.0;
 constexpr double kFurthest = 10.8;
 constexpr double kLateral = 4.5;

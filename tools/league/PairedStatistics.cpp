@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/league/Statistics.h"
+#include "tools/league/PairedStatistics.h"
 
 #include <algorithm>
 #include <cmath>

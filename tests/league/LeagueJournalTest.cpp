@@ -32,7 +32,7 @@ void write(const std::string& path, const std::string& text) {
 }
 
 std::string refusal(const std::string& where, const LeaguePlan& plan) {
-  const auto journal = Journal::open(where, plan);
+  const auto journal = LeagueJournal::open(where, plan);
   return journal ? "" : journal.error();
 }
 
@@ -40,7 +40,7 @@ std::string refusal(const std::string& where, const LeaguePlan& plan) {
 std::string wholeJournal(const LeaguePlan& plan = smallPlan()) {
   const std::string where = folder("whole");
   std::filesystem::remove_all(where);
-  auto journal = Journal::open(where, plan);
+  auto journal = LeagueJournal::open(where, plan);
   EXPECT_TRUE(journal.ok()) << journal.error();
   EXPECT_TRUE(runLeague(*journal, RandomPlay{}, 1).ok());
   return contents(journalPath(where));
@@ -52,7 +52,7 @@ std::size_t wholeMatches(const std::string& part) {
   return lines == 0 ? 0 : lines - 1;
 }
 
-TEST(Journal, GoesOnAfterAKillAtAnyByteAndPlaysNoMatchTwice) {
+TEST(LeagueJournal, GoesOnAfterAKillAtAnyByteAndPlaysNoMatchTwice) {
   LeaguePlan plan = smallPlan();
   plan.sides = {"a", "b"};
   const std::string whole = wholeJournal(plan);
@@ -65,7 +65,7 @@ TEST(Journal, GoesOnAfterAKillAtAnyByteAndPlaysNoMatchTwice) {
       ++played;
       return RandomPlay{}(match);
     };
-    auto journal = Journal::open(where, plan);
+    auto journal = LeagueJournal::open(where, plan);
     ASSERT_TRUE(journal.ok()) << bytes << ": " << journal.error();
     ASSERT_TRUE(runLeague(*journal, play, 1).ok());
     ASSERT_EQ(played, 4 - wholeMatches(part)) << bytes;
@@ -73,12 +73,12 @@ TEST(Journal, GoesOnAfterAKillAtAnyByteAndPlaysNoMatchTwice) {
   }
 }
 
-TEST(Journal, OfAKilledProcessIsGoneOnWith) {
+TEST(LeagueJournal, OfAKilledProcessIsGoneOnWith) {
   const std::string where = folder("killed");
   const pid_t child = fork();
   if (child == 0) {
     int played = 0;
-    auto journal = Journal::open(where, smallPlan());
+    auto journal = LeagueJournal::open(where, smallPlan());
     runLeague(
         *journal,
         [&played](const LeagueMatch& match) {
@@ -91,7 +91,7 @@ TEST(Journal, OfAKilledProcessIsGoneOnWith) {
   int status = 0;
   waitpid(child, &status, 0);
   ASSERT_TRUE(WIFSIGNALED(status));
-  auto journal = Journal::open(where, smallPlan());
+  auto journal = LeagueJournal::open(where, smallPlan());
   ASSERT_TRUE(journal.ok()) << journal.error();
   const auto summary = runLeague(*journal, RandomPlay{}, 2);
   ASSERT_TRUE(summary.ok());
@@ -99,7 +99,7 @@ TEST(Journal, OfAKilledProcessIsGoneOnWith) {
   EXPECT_EQ(summary->left, 0U);
 }
 
-TEST(Journal, OfAnotherLeagueIsRefusedInOneLineAndLeftAsItIs) {
+TEST(LeagueJournal, OfAnotherLeagueIsRefusedInOneLineAndLeftAsItIs) {
   const std::string whole = wholeJournal();
   LeaguePlan other = smallPlan();
   other.minutes = 5.0;
@@ -112,17 +112,17 @@ TEST(Journal, OfAnotherLeagueIsRefusedInOneLineAndLeftAsItIs) {
   EXPECT_EQ(contents(journalPath(folder("whole"))), whole);
 }
 
-TEST(Journal, IsOfOneProcessAtATime) {
+TEST(LeagueJournal, IsOfOneProcessAtATime) {
   const std::string where = folder("taken");
   {
-    const auto first = Journal::open(where, smallPlan());
+    const auto first = LeagueJournal::open(where, smallPlan());
     ASSERT_TRUE(first.ok());
     EXPECT_EQ(refusal(where, smallPlan()), where + ": another process plays this league");
   }
   EXPECT_EQ(refusal(where, smallPlan()), "");
 }
 
-TEST(Journal, DamagedBeforeItsEndIsRefusedWithTheLine) {
+TEST(LeagueJournal, DamagedBeforeItsEndIsRefusedWithTheLine) {
   std::string text = wholeJournal();
   const auto second = text.find('\n', text.find('\n') + 1) + 1;
   text[second + 3] = '\0';
@@ -132,21 +132,21 @@ TEST(Journal, DamagedBeforeItsEndIsRefusedWithTheLine) {
   EXPECT_EQ(contents(journalPath(folder("damaged"))), text);
 }
 
-TEST(Journal, WithAMatchTwiceIsRefused) {
+TEST(LeagueJournal, WithAMatchTwiceIsRefused) {
   std::string text = wholeJournal();
   text += text.substr(text.rfind('\n', text.size() - 2) + 1);
   write(journalPath(folder("twice")), text);
   EXPECT_NE(refusal(folder("twice"), smallPlan()).find(":14: damaged"), std::string::npos);
 }
 
-TEST(Journal, AChangedHeaderIsRefused) {
+TEST(LeagueJournal, AChangedHeaderIsRefused) {
   std::string text = wholeJournal();
   text.replace(text.find("a test"), 6, "a tent");
   write(journalPath(folder("changed")), text);
   EXPECT_NE(refusal(folder("changed"), smallPlan()).find("damaged header"), std::string::npos);
 }
 
-TEST(Journal, SomebodyElsesFileIsRefusedAndLeftAsItIs) {
+TEST(LeagueJournal, SomebodyElsesFileIsRefusedAndLeftAsItIs) {
   for (const char* text : {"my notes", "my notes\n", "{\"version\":1}\n", "[]\n", "null\n"}) {
     write(journalPath(folder("notes")), text);
     EXPECT_NE(refusal(folder("notes"), smallPlan()).find("not the journal"), std::string::npos);
@@ -154,7 +154,7 @@ TEST(Journal, SomebodyElsesFileIsRefusedAndLeftAsItIs) {
   }
 }
 
-TEST(Journal, KeepsTheTroubleOfAVoidMatchAndForgetsItOnRequest) {
+TEST(LeagueJournal, KeepsTheTroubleOfAVoidMatchAndForgetsItOnRequest) {
   const std::string where = folder("void");
   const Play broken = [](const LeagueMatch& match) {
     MatchResult result = RandomPlay{}(match);
@@ -162,11 +162,11 @@ TEST(Journal, KeepsTheTroubleOfAVoidMatchAndForgetsItOnRequest) {
     return result;
   };
   {
-    auto journal = Journal::open(where, smallPlan());
+    auto journal = LeagueJournal::open(where, smallPlan());
     ASSERT_TRUE(journal.ok());
     EXPECT_EQ(runLeague(*journal, broken, 1)->voids, 4U);
   }
-  auto journal = Journal::open(where, smallPlan());
+  auto journal = LeagueJournal::open(where, smallPlan());
   ASSERT_TRUE(journal.ok()) << journal.error();
   EXPECT_EQ(runLeague(*journal, RandomPlay{}, 1)->played, 0U);
   const std::string trouble = journal->results()[0]->trouble;
@@ -178,10 +178,10 @@ TEST(Journal, KeepsTheTroubleOfAVoidMatchAndForgetsItOnRequest) {
   EXPECT_EQ(standingsOf(*again).voids, 0U);
 }
 
-TEST(Journal, IsReadWhileTheLeagueGoesOn) {
+TEST(LeagueJournal, IsReadWhileTheLeagueGoesOn) {
   const std::string where = folder("read");
   EXPECT_FALSE(readLeague(where));
-  auto journal = Journal::open(where, smallPlan());
+  auto journal = LeagueJournal::open(where, smallPlan());
   ASSERT_TRUE(journal.ok());
   std::vector<std::size_t> counts;
   RunTalk talk;
@@ -200,7 +200,7 @@ int playWithin(const std::string& where, rlim_t bytes) {
     signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{bytes, bytes};
     setrlimit(RLIMIT_FSIZE, &limit);
-    auto journal = Journal::open(where, smallPlan());
+    auto journal = LeagueJournal::open(where, smallPlan());
     const auto summary = runLeague(*journal, RandomPlay{}, 1);
     _exit(!summary && summary.error().find("File too large") != std::string::npos ? 0 : 1);
   }
@@ -209,7 +209,7 @@ int playWithin(const std::string& where, rlim_t bytes) {
   return status;
 }
 
-TEST(Journal, WhatCannotBeWrittenWholeLeavesNothingAndEndsTheLeague) {
+TEST(LeagueJournal, WhatCannotBeWrittenWholeLeavesNothingAndEndsTheLeague) {
   const std::string whole = wholeJournal();
   const std::string where = folder("full");
   EXPECT_EQ(playWithin(where, whole.size() - 20), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/learn/motion/HeldBall.h"
+#include "tools/learn/motion/BallInHold.h"
 
 #include <cmath>
 

@@ -19,17 +19,17 @@ std::string journalPath(const std::string& folder);
 // its journal is damaged elsewhere than in an unfinished last line.
 Expected<LeagueRecord> readLeague(const std::string& folder);
 
-class Journal {
+class LeagueJournal {
  public:
   // Makes the folder and the journal where there are none, and goes on with the journal of the same
   // plan. Errors in one line: plan that cannot be played, another process plays here, journal of
   // another league or damaged, folder that cannot be written.
-  static Expected<Journal> open(const std::string& folder, const LeaguePlan& plan);
-  Journal(Journal&& other) noexcept;
-  Journal& operator=(Journal&&) = delete;
-  Journal(const Journal&) = delete;
-  Journal& operator=(const Journal&) = delete;
-  ~Journal();
+  static Expected<LeagueJournal> open(const std::string& folder, const LeaguePlan& plan);
+  LeagueJournal(LeagueJournal&& other) noexcept;
+  LeagueJournal& operator=(LeagueJournal&&) = delete;
+  LeagueJournal(const LeagueJournal&) = delete;
+  LeagueJournal& operator=(const LeagueJournal&) = delete;
+  ~LeagueJournal();
 
   const LeaguePlan& plan() const { return record_.plan; }
   const std::vector<ScheduledMatch>& schedule() const { return schedule_; }
@@ -42,7 +42,7 @@ class Journal {
   void forgetVoids();
 
  private:
-  Journal(std::string path, LeagueRecord record);
+  LeagueJournal(std::string path, LeagueRecord record);
   Status append(const std::string& line);
 
   std::string path_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/learn/Journal.h"
+#include "tools/learn/SearchJournal.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ std::string lineOf(const std::vector<double>& point, double gain) {
 
 }  // namespace
 
-Status Journal::open(const SearchSpace& space, const SearchPlan& plan) {
+Status SearchJournal::open(const SearchSpace& space, const SearchPlan& plan) {
   if (plan.journal.empty()) return Done{};
   std::error_code error;
   if (std::filesystem::exists(plan.journal, error) &&
@@ -58,12 +58,12 @@ Status Journal::open(const SearchSpace& space, const SearchPlan& plan) {
   return rewrite();
 }
 
-const double* Journal::find(std::size_t i, const std::vector<double>& point) const {
+const double* SearchJournal::find(std::size_t i, const std::vector<double>& point) const {
   if (i >= known_.size()) return nullptr;
   return std::equal(point.begin(), point.end(), known_[i].begin()) ? &known_[i].back() : nullptr;
 }
 
-Status Journal::add(std::size_t i, const std::vector<double>& point, double gain) {
+Status SearchJournal::add(std::size_t i, const std::vector<double>& point, double gain) {
   if (path_.empty()) return Done{};
   if (i < known_.size()) {
     known_.resize(i);
@@ -78,7 +78,7 @@ Status Journal::add(std::size_t i, const std::vector<double>& point, double gain
 }
 
 // In another file first: a journal that is there already is never lost.
-Status Journal::rewrite() {
+Status SearchJournal::rewrite() {
   const std::string part = path_ + ".part";
   out_ = std::ofstream(part, std::ios::trunc);
   out_ << head_ << '\n';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/learn/kick/KickMap.h"
+#include "tools/learn/kick/KickMapLearning.h"
 
 #include <atomic>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "robot/core/Random.h"
 #include "robot/host/OnCores.h"
 #include "tools/learn/kick/KickLearner.h"
-#include "tools/learn/motion/HeldBall.h"
+#include "tools/learn/motion/BallInHold.h"
 #include "tools/learn/walk/WalkLearner.h"
 
 namespace kelpie::learn {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/league/Journal.h"
+#include "tools/league/LeagueJournal.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -128,24 +128,24 @@ Expected<LeagueRecord> readLeague(const std::string& folder) {
   return std::move(journal->record);
 }
 
-Journal::Journal(std::string path, LeagueRecord record)
+LeagueJournal::LeagueJournal(std::string path, LeagueRecord record)
     : path_(std::move(path)), record_(std::move(record)), schedule_(scheduleOf(record_.plan)) {
   record_.results.resize(schedule_.size());
 }
 
-Journal::Journal(Journal&& other) noexcept
+LeagueJournal::LeagueJournal(LeagueJournal&& other) noexcept
     : path_(std::move(other.path_)),
       record_(std::move(other.record_)),
       schedule_(std::move(other.schedule_)),
       lock_(std::exchange(other.lock_, -1)),
       file_(std::exchange(other.file_, -1)) {}
 
-Journal::~Journal() {
+LeagueJournal::~LeagueJournal() {
   if (file_ >= 0) ::close(file_);
   if (lock_ >= 0) ::close(lock_);
 }
 
-Expected<Journal> Journal::open(const std::string& folder, const LeaguePlan& plan) {
+Expected<LeagueJournal> LeagueJournal::open(const std::string& folder, const LeaguePlan& plan) {
   const Status playable = checkPlan(plan);
   if (!playable) return Error{playable.error()};
   std::error_code error;
@@ -153,7 +153,7 @@ Expected<Journal> Journal::open(const std::string& folder, const LeaguePlan& pla
   if (error) return Error{folder + ": " + error.message()};
   const auto lock = lockFolder(folder);
   if (!lock) return Error{lock.error()};
-  Journal journal(journalPath(folder), {plan, {}});
+  LeagueJournal journal(journalPath(folder), {plan, {}});
   journal.lock_ = *lock;
   auto before = readJournal(journal.path_);
   if (!before) return Error{before.error()};
@@ -168,7 +168,7 @@ Expected<Journal> Journal::open(const std::string& folder, const LeaguePlan& pla
   return journal;
 }
 
-Status Journal::append(const std::string& line) {
+Status LeagueJournal::append(const std::string& line) {
   struct stat before = {};
   if (::fstat(file_, &before) != 0) return systemError(path_);
   if (writeWhole(file_, line + "\n")) return Done{};
@@ -178,13 +178,13 @@ Status Journal::append(const std::string& line) {
   return error;
 }
 
-Status Journal::add(std::size_t match, const MatchResult& result) {
+Status LeagueJournal::add(std::size_t match, const MatchResult& result) {
   const Status kept = append(matchLine(match, schedule_[match].match, result));
   if (kept) record_.results[match] = result;
   return kept;
 }
 
-void Journal::forgetVoids() {
+void LeagueJournal::forgetVoids() {
   for (auto& result : record_.results)
     if (result && !result->trouble.empty()) result.reset();
 }

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "robot/core/Random.h"
-#include "tools/league/Statistics.h"
+#include "tools/league/PairedStatistics.h"
 #include "tools/league/StudentT.h"
 
 namespace kelpie::league {

@@ -12,7 +12,7 @@
 
 namespace kelpie::learn {
 
-class Journal {
+class SearchJournal {
  public:
   // Errors: a journal of another search, or one that cannot be written.
   Status open(const SearchSpace& space, const SearchPlan& plan);
