@@ -14,7 +14,7 @@ ONCE = """import kelpie
 def decide(world):
     if world.game.player == {player} and 1.0 < world.time_s < 1.05:
         sum(range(10 ** 10))
-    return kelpie.Command(walk=kelpie.WalkRequest(forward=7.0))
+    return kelpie.Command(walk=kelpie.WalkRequest(forward={forward}))
 """
 HUNG = "main.py:6: it does not end and cannot be broken off, so that this process ends: sum(range("
 EVERY_FRAME = """import kelpie
@@ -46,7 +46,7 @@ def commands(log):
 
 
 def test_a_robot_whose_script_does_not_come_back_is_started_into_the_match_again(scripts, tmp_path):
-    result = played(scripts(ONCE.format(player=1)), tmp_path / "out")
+    result = played(scripts(ONCE.format(player=1, forward=7.0)), tmp_path / "out")
     assert "(seed 1, 4.0 simulated seconds" in result.stdout, result.stderr
     assert result.stderr.count(HUNG) == 1, result.stderr
     assert "the agent ended with code 4; it is started again" in result.stderr
@@ -57,7 +57,8 @@ def test_a_robot_whose_script_does_not_come_back_is_started_into_the_match_again
 
 
 def test_so_is_another_robot_than_the_watched_one(scripts, tmp_path):
-    folder = scripts(ONCE.format(player=2))
+    # They stand, so that no kick-off waits for them.
+    folder = scripts(ONCE.format(player=2, forward=0.0))
     result = kelpie("play", "--robots", "1v2", "--fast", "--red", folder, "--blue", folder,
                     "--seconds", "8", "--no-film", "--out", tmp_path / "out")
     assert result.returncode == 0, result.stderr
