@@ -2,8 +2,8 @@
 """README.md's commands run as they stand there, leave nothing that git sees, and its figures hold.
 
 Only what a reader must put in himself is replaced: DIR by a folder of images, LOG by the log of a
-robot that stood and looked round, and the length of a match by a second. The match that the
-commands read is a short one."""
+robot that stood and looked round, the length of a match by a second, and the robots of a team by
+one. The match that the commands read is a short one."""
 
 import os
 import re
@@ -39,19 +39,21 @@ COMMANDS = listed_commands() + commands_in_the_text()
 def words_of(command):
     words = shlex.split(command, comments=True)
     folder = "sheets" if words[1] == "calibrate" else "recording"
-    words = [{"DIR": folder, "LOG": "out/stand/match.mcap"}.get(word, word) for word in words]
+    put_in = {"DIR": folder, "LOG": "out/stand/match.mcap", "4v4": "1v1"}
+    words = [put_in.get(word, word) for word in words]
     if "--seconds" in words:
         words[words.index("--seconds") + 1] = "1"
     elif "--minutes" in words:
         words[words.index("--minutes") + 1] = "0.1"
+        words.append("--no-film")  # of a minute, with the walks to the kick-offs
     elif words[1] == "league":
         words += ["--minutes", "0.1", "--matches", "2", "--robots", "1v1"]
     elif words[1] == "teleop":  # nobody is there to drive
         words += ["--keys", "keys.txt"]
-    elif "--real-time" in words:  # would go on until it is stopped
-        words += ["--seconds", "1"]
-    elif "--game-controller" in words:  # would, too; the commands after it ask for 2 s
+    elif "--game-controller" in words:  # the commands after it ask for 2 s
         words += ["--seconds", "4"]
+    elif words[1] == "play":
+        words += ["--seconds", "1"]
     return words
 
 
