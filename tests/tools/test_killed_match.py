@@ -26,10 +26,11 @@ def start(out, *words):
 
 
 def wait_for_play(out, seconds=60):
+    """Until the log holds what it begins with, 270 KB, and more than half a second of play."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         if (out / "playing/match.mcap").is_file() and \
-                (out / "playing/match.mcap").stat().st_size > 300_000:
+                (out / "playing/match.mcap").stat().st_size > 330_000:
             return
         time.sleep(0.02)
     raise AssertionError("the match did not begin")
