@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What all pytest suites share: tests chosen by a regular expression, as ctest does it, and no
-temporary files left behind."""
+"""What all pytest suites share: tests chosen by a regular expression, as ctest does it, an order in
+which several processes end at about the same time, and no temporary files left behind."""
 
 import re
 import shutil
@@ -19,6 +19,8 @@ def pytest_collection_modifyitems(config, items):
             and not (but and re.search(but, item.nodeid))]
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
     items[:] = kept
+    if hasattr(config, "workerinput"):  # one of several processes: the short files come last
+        items.sort(key=lambda item: item.nodeid.startswith("py/"))
 
 
 @pytest.fixture(scope="session", autouse=True)
