@@ -91,7 +91,7 @@ def test_all_images_are_kept_on_request(tmp_path):
 
 def test_an_interrupted_film_ends_at_once_and_keeps_log_and_picture(tmp_path):
     out = tmp_path / "out"
-    play = start_match(out, "--seconds", "90", "--goals", "99", tmp=tmp_path)
+    play = start_match(out, "--fast", "--seconds", "90", "--goals", "99", tmp=tmp_path)
     for line in play.stderr:
         if line.startswith("film: "):
             break
