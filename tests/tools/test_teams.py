@@ -245,6 +245,11 @@ def started(team, out, tmp_path, *words):
         if len(agents_of(play)) == 4:
             break
         time.sleep(0.1)
+    log = out / "playing/match.mcap"
+    for _ in range(300):  # until it holds more than what it begins with
+        if log.exists() and log.stat().st_size > 330_000:
+            break
+        time.sleep(0.1)
     time.sleep(1.5)
     return play
 
