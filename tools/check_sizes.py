@@ -1,15 +1,17 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Fails on files, functions and lines over the hard limits of the house style. Exceptions stand in
-tools/size_exceptions, one "path reason" a line."""
+"""Fails on files, functions, lines and folders over the hard limits of the house style. Exceptions
+stand in tools/size_exceptions, one "path reason" a line."""
 
 import re
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 HEADER_LINES, SOURCE_LINES, FUNCTION_LINES, COLUMNS = 250, 600, 80, 100
+FOLDER_SOURCES = 30
 FUNCTION_START = re.compile(r"^(?!\s*(?:namespace|class|struct|enum|union|extern)\b)\S.*\{\s*$")
 
 
@@ -43,12 +45,19 @@ def problems_of(path):
             yield f"{path}:{start}: function of {length} lines, at most {FUNCTION_LINES}"
 
 
+def full_folders(paths):
+    for folder, count in Counter(str(Path(path).parent) for path in paths).items():
+        if count > FOLDER_SOURCES:
+            yield f"{folder}: {count} sources, at most {FOLDER_SOURCES}"
+
+
 def main():
     exceptions = {line.split()[0] for line in
                   (ROOT / "tools/size_exceptions").read_text().splitlines()
                   if line and not line.startswith("#")}
-    found = []
-    for path in tracked("*.h", "*.cpp", "*.py", "*.c"):
+    sources = tracked("*.h", "*.cpp", "*.py", "*.c")
+    found = list(full_folders(sources))
+    for path in sources:
         if path not in exceptions:
             found += problems_of(path)
     print("\n".join(found), end="\n" if found else "")
