@@ -122,8 +122,9 @@ double carpetBehind(const Scene& scene, PixelPoint foot, double beside) {
 }
 
 std::optional<double> groundDistance(const CameraPose& camera, PixelPoint pixel) {
+  constexpr double kMinDescent = 1e-3;  // of the ray; a flatter one meets no ground of the field
   const double slope = groundRayThrough(camera, pixel).slope;
-  if (slope > -1e-3) return std::nullopt;
+  if (slope > -kMinDescent) return std::nullopt;
   return -camera.position.z / slope;
 }
 

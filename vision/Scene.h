@@ -13,7 +13,8 @@
 namespace kelpie::vision {
 
 // The beacons and goals of one image.
-using Landmarks = FixedVector<LandmarkPercept, 8>;
+constexpr std::size_t kMaxLandmarks = 8;
+using Landmarks = FixedVector<LandmarkPercept, kMaxLandmarks>;
 
 struct Scene {
   const Sampler& sampler;
@@ -40,7 +41,8 @@ inline double edgeRow(const FieldEdgePercept& e, double x) {
 
 // The carpet is convex, so of several edges the lowest counts. Above the image without any.
 inline double fieldEdgeRow(const FixedVector<FieldEdgePercept, 3>& edges, double x) {
-  double row = -1e6;
+  constexpr double kAboveImage = -1e6;  // px
+  double row = kAboveImage;
   for (const FieldEdgePercept& e : edges) {
     const double here = edgeRow(e, x);
     row = here > row ? here : row;

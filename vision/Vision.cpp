@@ -20,17 +20,18 @@ namespace kelpie::vision {
 namespace {
 
 // False where a joint or the stance was NaN or absurd: rows and columns made from it lie anywhere
-// in memory. The axes are of length one, as far as rounding lets them be.
+// in memory.
 bool poseIsInRange(const BodyState& body) {
   constexpr double kMaxTurn = 10.0;       // rad over an image
   constexpr double kFarthest = 100.0;     // cm from the robot to its camera, three times an ERS-7
   constexpr double kFarthestRow = 1.1e4;  // px, a little beyond the horizon's limit
+  constexpr double kMaxAxis = 1.000001;   // of length one, as far as rounding lets them be
   const auto within = [](double value, double max) { return std::fabs(value) <= max; };
   const Point3<Robot>& at = body.camera.position;
   const auto& axes = body.camera.axes;
   const auto& turn = body.camera.turn;
   return within(at.x, kFarthest) && within(at.y, kFarthest) && within(at.z, kFarthest) &&
-         std::all_of(axes.begin(), axes.end(), [&](double a) { return within(a, 1.000001); }) &&
+         std::all_of(axes.begin(), axes.end(), [&](double a) { return within(a, kMaxAxis); }) &&
          std::all_of(turn.begin(), turn.end(), [&](double t) { return within(t, kMaxTurn); }) &&
          within(body.horizon.atLeft, kFarthestRow) && within(body.horizon.atRight, kFarthestRow);
 }
@@ -57,7 +58,8 @@ void stepInto(Percepts& out, const VisionIn& in, const VisionParams& params, Vis
   out.counts.sampledPixels = found.samples;
   out.counts.runs = static_cast<std::uint32_t>(state.runs.size());
   out.counts.blobs = static_cast<std::uint32_t>(state.blobs.size());
-  for (std::uint32_t i = 0; i < found.lost && i < 1000; ++i)
+  constexpr std::uint32_t kMaxCounted = 1000;  // of what did not fit, in an image
+  for (std::uint32_t i = 0; i < found.lost && i < kMaxCounted; ++i)
     refuse(out.counts, Refusal::bufferFull);
   out.fieldEdges = findFieldEdges(sampler, lattice, params.scan, params.fieldEdge, out.counts);
 

@@ -36,6 +36,7 @@ BeaconCandidate beaconFromFoot(const Scene& scene, const BeaconFoot& foot);
 // Its width, its distance, and which of its ends show; its axis moves to its middle.
 void measure(const Scene& scene, const BeaconFinderParams& p, BeaconCandidate& c);
 
+constexpr double kBandsBelowMiddle = 3.0;  // from the ground to where the colours meet
 // Four bands of one height, the upper two coloured (facts-2005 section 1): cm of one.
 double bandHeight(const Scene& scene);
 // The height of a band that the image shows whole, in px.

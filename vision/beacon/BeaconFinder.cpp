@@ -21,11 +21,12 @@ constexpr std::size_t kMaxCandidates = 12;
 // Where to look for a pink band: in a pink blob, or next to a blue or yellow one that is no longer
 // or wider than a band can be.
 std::optional<PixelPoint> pinkStart(const Scene& scene, const Blob& blob, ImageDirection up) {
+  constexpr double kMaxAspect = 2.5;  // of a band, either way
   if (blob.colour == ColourClass::pink) return blob.centre;
   if (blob.colour == ColourClass::orange) return std::nullopt;
   const double width = blob.box.width();
   const double height = blob.box.height();
-  if (width > 2.5 * height || height > 2.5 * width) return std::nullopt;
+  if (width > kMaxAspect * height || height > kMaxAspect * width) return std::nullopt;
   for (const ImageDirection direction : {up, -up}) {
     const EdgeHit edge = walkToEdge(scene.sampler, {blob.centre, direction, blob.colour, 1});
     const PixelPoint next = moved(edge.point, direction, std::max(2.0, 0.5 * edge.length));
@@ -35,8 +36,9 @@ std::optional<PixelPoint> pinkStart(const Scene& scene, const Blob& blob, ImageD
   return std::nullopt;
 }
 
-// More than 64 pink blobs are clothes: then each place is walked to as if pink were there.
-using PinkBoxes = ScratchVector<LevelBox, 64>;
+// More pink blobs are clothes: then each place is walked to as if pink were there.
+constexpr std::size_t kMaxPinkBoxes = 64;
+using PinkBoxes = ScratchVector<LevelBox, kMaxPinkBoxes>;
 
 PinkBoxes pinkBoxesOf(const BlobBuffer& blobs) {
   PinkBoxes boxes;
@@ -67,14 +69,15 @@ LandmarkKind kindOf(const BeaconCandidate& c) {
 // The distance's error moves the place where the border between the bands is expected.
 ElevationError elevationErrorOf(const Scene& scene, const BeaconCandidate& c,
                                 const BeaconFinderParams& p) {
-  const double above = 3.0 * bandHeight(scene) - scene.body.camera.position.z;
+  const double above = kBandsBelowMiddle * bandHeight(scene) - scene.body.camera.position.z;
   const double pixel = p.edgeSd / focalLength(scene);
-  const double share = 1.414 * above / (2.0 * bandHeight(scene));
+  const double share = kRootTwo * above / (2.0 * bandHeight(scene));
   return {Angle::rad(elevationError(scene, c)), pixel * pixel * (1.0 + share * share)};
 }
 
 LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c,
                           const BeaconFinderParams& p) {
+  constexpr double kMinVariance = 4.0;  // cm^2, however near
   const CameraPose& camera = scene.body.camera;
   const GroundRay ray = groundRayThrough(camera, c.middle);
   const Point2<Robot> place = placeAt(camera, ray, c.distance);
@@ -84,7 +87,8 @@ LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c,
   percept.distance = place.norm();
   percept.heading = bearing(place);
   percept.elevation = Angle::rad(maths::atan(ray.slope));
-  percept.distanceVariance = maths::square(sizeSd(camera, c.distance, height, p.edgeSd)) + 4.0;
+  percept.distanceVariance =
+      maths::square(sizeSd(camera, c.distance, height, p.edgeSd)) + kMinVariance;
   percept.headingVariance = maths::square(p.headingSd.rad());
   percept.elevationError = elevationErrorOf(scene, c, p);
   percept.leftEdge = percept.heading;
@@ -131,7 +135,7 @@ bool overlap(const PixelBox& a, const PixelBox& b) {
 // One percept of each kind and in each place: the one that is most likely a beacon.
 struct Found {
   Landmarks landmarks;
-  std::array<double, 8> logOddsAgainst{};
+  std::array<double, kMaxLandmarks> logOddsAgainst{};
 
   void keep(const JudgedBeacon& beacon) {
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
@@ -178,8 +182,9 @@ bool beaconHasPartner(const BeaconCandidate& c) { return c.partner != ColourClas
 
 // One pixel is enough to tell the colour of a band that the image border cuts.
 bool beaconIsLarge(const BeaconCandidate& c, const BeaconFinderParams& p) {
-  const double upper = c.topCut ? 1.5 * c.upper + 1.0 : c.upper;
-  const double lower = c.bottomCut ? 1.5 * c.lower + 1.0 : c.lower;
+  constexpr double kCutAllowance = 1.5;  // of what shows of a band that the image cuts
+  const double upper = c.topCut ? kCutAllowance * c.upper + 1.0 : c.upper;
+  const double lower = c.bottomCut ? kCutAllowance * c.lower + 1.0 : c.lower;
   return upper >= p.minBand && lower >= p.minBand;
 }
 
@@ -194,8 +199,9 @@ bool beaconHeightFitsSize(const Scene& scene, const BeaconCandidate& c,
 }
 
 bool beaconHasNoCarpetBelow(const Scene& scene, const BeaconCandidate& c) {
+  constexpr std::array<double, 3> kBandsDown{0.5, 1.0, 1.5};
   int green = 0;
-  for (const double bands : {0.5, 1.0, 1.5}) {
+  for (const double bands : kBandsDown) {
     const PixelPoint at = moved(c.bottom, scene.frame.up(), -bands * bandOf(c));
     if (!Sampler::usable(at)) break;
     green += scene.sampler.classAt(at) == ColourClass::green ? 1 : 0;

@@ -15,16 +15,20 @@ using RowClasses = std::array<std::uint8_t, kMaxSamples>;
 
 bool formsBlobs(ColourClass c) { return c >= ColourClass::orange && c <= ColourClass::robotRed; }
 
-std::uint64_t inEachByte(std::size_t value) { return 0x0101010101010101ULL * value; }
+constexpr std::uint64_t kOneInEachByte = 0x0101010101010101ULL;
+constexpr std::size_t kTopBit = 0x80U;       // of a byte
+constexpr std::size_t kBelowTopBit = 0x7FU;  // all others of it
+
+std::uint64_t inEachByte(std::size_t value) { return kOneInEachByte * value; }
 
 // Whether one of eight classes forms blobs: each in a byte of its own, whose top bit the sums set
 // from that class on.
 bool anyFormsBlobs(const std::uint8_t* classes) {
   std::uint64_t eight = 0;
   std::memcpy(&eight, classes, sizeof eight);
-  const std::uint64_t fromOrange = eight + inEachByte(0x80U - index(ColourClass::orange));
-  const std::uint64_t aboveRed = eight + inEachByte(0x7FU - index(ColourClass::robotRed));
-  return (fromOrange & ~aboveRed & inEachByte(0x80U)) != 0;
+  const std::uint64_t fromOrange = eight + inEachByte(kTopBit - index(ColourClass::orange));
+  const std::uint64_t aboveRed = eight + inEachByte(kBelowTopBit - index(ColourClass::robotRed));
+  return (fromOrange & ~aboveRed & inEachByte(kTopBit)) != 0;
 }
 
 // The first sample from i on whose class forms blobs, or the count: most of an image is carpet.

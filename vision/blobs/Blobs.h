@@ -4,6 +4,7 @@
 // counted.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "robot/core/FixedVector.h"
@@ -33,8 +34,10 @@ struct Blob {
   PixelPoint centre;  // their mean in the image
 };
 
-using RunBuffer = FixedVector<Run, 2048>;
-using BlobBuffer = FixedVector<Blob, 384>;
+constexpr std::size_t kMaxRuns = 2048;
+constexpr std::size_t kMaxBlobs = 384;
+using RunBuffer = FixedVector<Run, kMaxRuns>;
+using BlobBuffer = FixedVector<Blob, kMaxBlobs>;
 
 struct BlobCounts {
   std::uint32_t samples = 0;  // pixels looked at

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/colour/ColourBuilder.h"
 
+#include <array>
 #include <cmath>
 
 #include "robot/core/Maths.h"
@@ -13,11 +14,28 @@ constexpr double kNeutral = 128.0;
 constexpr double kBrightnessRadius = 12.0;
 // How far the chroma follows the shading: 0 = not, 1 = in proportion.
 constexpr double kChromaFollows = 0.6;
+constexpr double kMaxChromaShade = 1.1;  // of y; brighter glare adds no more chroma
+
+// Class; Y, Cr, Cb; darkest and brightest share of Y; radius. Blue ends at a little over half of
+// its light: with less, it took the dark blue robots' noisier pixels (3 % of them; 0 to 0.4 % now,
+// kelpie evaluate colour).
+constexpr std::array<Prototype, kColourClassCount - 1> kNominalPrototypes = {
+    {{ColourClass::orange, 140, 181, 79, 0.35, 1.5, 27},
+     {ColourClass::blue, 82, 121, 167, 0.55, 1.9, 26},
+     {ColourClass::yellow, 120, 160, 61, 0.45, 1.7, 27},
+     {ColourClass::pink, 113, 193, 124, 0.45, 1.7, 27},
+     {ColourClass::robotBlue, 28, 126, 147, 0.5, 1.3, 14},
+     {ColourClass::robotRed, 85, 165, 131, 0.4, 1.4, 20},
+     {ColourClass::green, 77, 103, 97, 0.4, 1.8, 25},
+     {ColourClass::grey, 95, 127, 128, 0.7, 1.3, 14},
+     {ColourClass::white, 189, 124, 129, 0.7, 1.4, 20},
+     {ColourClass::black, 20, 126, 128, 0.0, 1.6, 12}}};
 
 // Squared distance in units of the prototype's radius: 1 is the rim.
 double squaredDistance(const Prototype& p, Yuv c) {
   const double shade = maths::clamp(c.y / p.y, p.darkest, p.brightest);
-  const double saturation = 1.0 - kChromaFollows + kChromaFollows * maths::clamp(shade, 0.0, 1.1);
+  const double saturation =
+      1.0 - kChromaFollows + kChromaFollows * maths::clamp(shade, 0.0, kMaxChromaShade);
   const double dCr = c.cr - (kNeutral + saturation * (p.cr - kNeutral));
   const double dCb = c.cb - (kNeutral + saturation * (p.cb - kNeutral));
   const double dY = c.y - shade * p.y;
@@ -27,18 +45,7 @@ double squaredDistance(const Prototype& p, Yuv c) {
 }  // namespace
 
 std::vector<Prototype> nominalPrototypes() {
-  // Blue ends at a little over half of its light: with less, it took the dark blue robots' noisier
-  // pixels (3 % of them; 0 to 0.4 % now, kelpie evaluate colour).
-  return {{ColourClass::orange, 140, 181, 79, 0.35, 1.5, 27},
-          {ColourClass::blue, 82, 121, 167, 0.55, 1.9, 26},
-          {ColourClass::yellow, 120, 160, 61, 0.45, 1.7, 27},
-          {ColourClass::pink, 113, 193, 124, 0.45, 1.7, 27},
-          {ColourClass::robotBlue, 28, 126, 147, 0.5, 1.3, 14},
-          {ColourClass::robotRed, 85, 165, 131, 0.4, 1.4, 20},
-          {ColourClass::green, 77, 103, 97, 0.4, 1.8, 25},
-          {ColourClass::grey, 95, 127, 128, 0.7, 1.3, 14},
-          {ColourClass::white, 189, 124, 129, 0.7, 1.4, 20},
-          {ColourClass::black, 20, 126, 128, 0.0, 1.6, 12}};
+  return std::vector<Prototype>(kNominalPrototypes.begin(), kNominalPrototypes.end());
 }
 
 ColourTable buildColourTable(const std::vector<Prototype>& prototypes) {

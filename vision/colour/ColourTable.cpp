@@ -11,7 +11,8 @@ constexpr std::uint8_t kMaybeBit = 0x10;
 constexpr int k2005Bits = 7;
 
 std::uint8_t middle(std::size_t step, int bits) {
-  return static_cast<std::uint8_t>((step << (8 - bits)) + (std::size_t{1} << (7 - bits)));
+  const int spared = ColourTable::kByteBits - bits;
+  return static_cast<std::uint8_t>((step << spared) + (std::size_t{1} << (spared - 1)));
 }
 
 std::size_t fineIndex(std::size_t y, std::size_t cr, std::size_t cb) {
@@ -51,7 +52,7 @@ Expected<ColourTable> fromOwnFile(const std::string& path, const Bytes& bytes) {
   if (!file) return Error{file.error()};
   for (std::size_t i = 0; i < table.cells.size(); ++i) {
     const std::uint8_t pair = file->data[i];
-    if ((pair & 15U) >= kColourClassCount || (pair >> 4) >= kColourClassCount) {
+    if ((pair & ColourTable::kClassMask) >= kColourClassCount || (pair >> 4) >= kColourClassCount) {
       return Error{path + ": colour class out of range in data byte " + std::to_string(i)};
     }
     table.cells[i] = pair;

@@ -18,6 +18,8 @@
 namespace kelpie::vision {
 
 struct ColourTable {
+  static constexpr int kByteBits = 8;
+  static constexpr unsigned kClassMask = 15U;  // four bits for each class
   static constexpr int kBitsY = 5;
   static constexpr int kBitsCr = 6;
   static constexpr int kBitsCb = 6;
@@ -26,21 +28,21 @@ struct ColourTable {
   std::array<std::uint8_t, kCells / 2> cells{};  // even cell in the low half
 
   static std::size_t cellOf(Yuv p) {
-    return (static_cast<std::size_t>(p.y >> (8 - kBitsY)) << (kBitsCr + kBitsCb)) |
-           (static_cast<std::size_t>(p.cr >> (8 - kBitsCr)) << kBitsCb) |
-           static_cast<std::size_t>(p.cb >> (8 - kBitsCb));
+    return (static_cast<std::size_t>(p.y >> (kByteBits - kBitsY)) << (kBitsCr + kBitsCb)) |
+           (static_cast<std::size_t>(p.cr >> (kByteBits - kBitsCr)) << kBitsCb) |
+           static_cast<std::size_t>(p.cb >> (kByteBits - kBitsCb));
   }
   // The same as at(cellOf(p)). The half of the byte is that of Cb's lowest bit in the cell's
   // number, where it stands already: every pixel passes here.
   ColourClass operator()(Yuv p) const {
-    constexpr unsigned kHalfBit = 8 - kBitsCb;
+    constexpr unsigned kHalfBit = kByteBits - kBitsCb;
     static_assert(kHalfBit == 2 && kBitsY + kBitsCr == 11);
     const unsigned cb = p.cb;
     const unsigned byte = ((p.y & 0xF8U) << 8U) | ((p.cr & 0xFCU) << 3U) | (cb >> 3U);
-    return static_cast<ColourClass>((cells[byte] >> (cb & 4U)) & 15U);
+    return static_cast<ColourClass>((cells[byte] >> (cb & 4U)) & kClassMask);
   }
   ColourClass at(std::size_t cell) const {
-    return static_cast<ColourClass>((cells[cell >> 1] >> ((cell & 1U) * 4U)) & 15U);
+    return static_cast<ColourClass>((cells[cell >> 1] >> ((cell & 1U) * 4U)) & kClassMask);
   }
   void set(std::size_t cell, ColourClass c) {
     const unsigned shift = (cell & 1U) * 4U;

@@ -11,15 +11,24 @@
 namespace kelpie::vision {
 namespace {
 
+// The coefficients printed in thesis 2006 section 2.3.2 for Y, Cr and Cb.
+constexpr std::array<RingChannel, 3> k2006Channels = {
+    {{-8.497e-08, 1.120e-05, -5.909e-06, -1.064e-03, -1.577e-03, 4.898e-02},
+     {-1.561e-07, 1.081e-05, -3.532e-06, 1.331e-03, -1.145e-03, 1.363e-01},
+     {-1.331e-07, 3.059e-05, -1.431e-05, 9.920e-04, -4.731e-04, 1.033e-01}}};
+constexpr std::array<RingCentre, 3> k2005Centres = {
+    {{110, kMiddleRow}, {105, kMiddleRow}, {97, kMiddleRow}}};
+
 std::uint8_t asByte(double value) {
-  return static_cast<std::uint8_t>(maths::clamp(std::floor(value + 0.5), 0.0, 255.0));
+  constexpr double kMaxByte = kByteValues - 1.0;
+  return static_cast<std::uint8_t>(maths::clamp(std::floor(value + 0.5), 0.0, kMaxByte));
 }
 
 void fill(const RingChannel& model, const ChannelShift& shift, RingTable::Channel& channel) {
   for (std::size_t d = 0; d < kRingDistances; ++d) {
-    for (std::size_t v = 0; v < 256; ++v) {
+    for (std::size_t v = 0; v < kByteValues; ++v) {
       const double own = ringCorrect(model, static_cast<double>(v), static_cast<double>(d));
-      channel[256 * d + v] = asByte(shift.gain * own + shift.offset);
+      channel[kByteValues * d + v] = asByte(shift.gain * own + shift.offset);
     }
   }
 }
@@ -41,15 +50,13 @@ double offset(const RingChannel& c, double d) { return ((c.b1 * d + c.b2) * d + 
 
 RingModel ringModel2006() {
   RingModel model;
-  model.channel[0] = {-8.497e-08, 1.120e-05, -5.909e-06, -1.064e-03, -1.577e-03, 4.898e-02};
-  model.channel[1] = {-1.561e-07, 1.081e-05, -3.532e-06, 1.331e-03, -1.145e-03, 1.363e-01};
-  model.channel[2] = {-1.331e-07, 3.059e-05, -1.431e-05, 9.920e-04, -4.731e-04, 1.033e-01};
+  model.channel = k2006Channels;
   return model;
 }
 
 RingModel ringModelNominal() {
   RingModel model = ringModel2006();
-  model.centre = {RingCentre{110, kMiddleRow}, {105, kMiddleRow}, {97, kMiddleRow}};
+  model.centre = k2005Centres;
   return model;
 }
 

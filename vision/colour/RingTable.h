@@ -22,6 +22,7 @@ constexpr int kMaxCentreOffset = 12;
 constexpr int kMiddleColumn = kImageWidth / 2;
 constexpr int kMiddleRow = kImageHeight / 2;
 constexpr std::size_t kRingDistances = 149;  // hypot(104 + 12, 80 + 12) = 148.1
+constexpr unsigned kByteValues = 256;        // of a channel
 
 // Thesis 2006 equation 2.2: Yd = (a1 Yc + b1) d^3 + (a2 Yc + b2) d^2 + (a3 Yc + b3) d + Yc.
 struct RingChannel {
@@ -77,14 +78,15 @@ struct RingPlace {
 };
 
 struct RingTable {
-  using Channel = std::array<std::uint8_t, kRingDistances * 256>;
-  Channel y{};  // [256 * distance + value]
+  using Channel = std::array<std::uint8_t, kRingDistances * kByteValues>;
+  Channel y{};  // [kByteValues * distance + value]
   Channel cr{};
   Channel cb{};
   std::array<RingCentre, 3> centre{};
 
   Yuv operator()(Yuv raw, RingPlace at) const {
-    return {y[256U * at.y + raw.y], cr[256U * at.cr + raw.cr], cb[256U * at.cb + raw.cb]};
+    return {y[kByteValues * at.y + raw.y], cr[kByteValues * at.cr + raw.cr],
+            cb[kByteValues * at.cb + raw.cb]};
   }
   template <int = 0>
   static constexpr auto fields() {

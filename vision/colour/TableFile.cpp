@@ -13,23 +13,33 @@ constexpr std::size_t kMagicLength = 8;
 constexpr std::size_t kHeader = kMagicLength + 4 * 4;
 constexpr std::size_t kChecksum = 4;
 constexpr std::uint32_t kVersion = 1;
+constexpr std::size_t kKindAt = kMagicLength + 4;
+constexpr std::size_t kTextLengthAt = kMagicLength + 8;
+constexpr std::size_t kDataLengthAt = kMagicLength + 12;
+// Numbers are little-endian words of four bytes.
+constexpr int kWordBits = 32;
+constexpr int kByteBits = 8;
+constexpr std::uint32_t kByteMask = 0xFFU;
 
 // FNV-1a: catches a damaged stick, not an attacker.
 std::uint32_t checksum(const std::uint8_t* bytes, std::size_t count) {
-  std::uint32_t hash = 2166136261U;
-  for (std::size_t i = 0; i < count; ++i) hash = (hash ^ bytes[i]) * 16777619U;
+  constexpr std::uint32_t kOffsetBasis = 2166136261U;
+  constexpr std::uint32_t kPrime = 16777619U;
+  std::uint32_t hash = kOffsetBasis;
+  for (std::size_t i = 0; i < count; ++i) hash = (hash ^ bytes[i]) * kPrime;
   return hash;
 }
 
 void append(Bytes& out, std::uint32_t value) {
-  for (int shift = 0; shift < 32; shift += 8) {
-    out.push_back(static_cast<std::uint8_t>((value >> shift) & 0xFFU));
+  for (int shift = 0; shift < kWordBits; shift += kByteBits) {
+    out.push_back(static_cast<std::uint8_t>((value >> shift) & kByteMask));
   }
 }
 
 std::uint32_t numberAt(const Bytes& bytes, std::size_t at) {
   std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value |= static_cast<std::uint32_t>(bytes[at + i]) << (8 * i);
+  for (std::size_t i = 0; i < 4; ++i)
+    value |= static_cast<std::uint32_t>(bytes[at + i]) << (kByteBits * i);
   return value;
 }
 
@@ -59,11 +69,11 @@ Expected<TableFile> parseTableFile(const std::string& path, const Bytes& bytes, 
   const std::uint32_t version = numberAt(bytes, kMagicLength);
   if (version != kVersion)
     return wrong(path, "table version " + std::to_string(version) + ", expected 1");
-  if (numberAt(bytes, kMagicLength + 4) != static_cast<std::uint32_t>(kind)) {
+  if (numberAt(bytes, kKindAt) != static_cast<std::uint32_t>(kind)) {
     return wrong(path, "a Kelpie table of another kind");
   }
-  const std::size_t textSize = numberAt(bytes, kMagicLength + 8);
-  const std::size_t size = numberAt(bytes, kMagicLength + 12);
+  const std::size_t textSize = numberAt(bytes, kTextLengthAt);
+  const std::size_t size = numberAt(bytes, kDataLengthAt);
   if (size != dataSize || bytes.size() - kHeader - kChecksum != std::uint64_t{textSize} + size) {
     return wrong(path, std::to_string(bytes.size()) + " bytes, cut off or of another layout");
   }

@@ -13,7 +13,8 @@ LandmarkKind goalKind(ColourClass colour) {
 
 double visibleWidth(const Scene& scene, const GoalCandidate& c) {
   const CameraPose& camera = scene.body.camera;
-  const double d = std::max(c.wallDistance - scene.field.goalDepth, 5.0);
+  constexpr double kMinDistance = 5.0;  // cm, to the mouth
+  const double d = std::max(c.wallDistance - scene.field.goalDepth, kMinDistance);
   return distance(placeAt(camera, groundRayThrough(camera, c.left.point), d),
                   placeAt(camera, groundRayThrough(camera, c.right.point), d));
 }

@@ -60,7 +60,7 @@ double visibleWidth(const Scene& scene, const GoalCandidate& c);
 
 // How far the feet of the chosen columns are below the field edge, in px.
 struct GoalFeet {
-  double lowest = -1e9;
+  double lowest = -kFarOutside;  // without any
   double sum = 0.0;
   int count = 0;
 };

@@ -2,6 +2,7 @@
 #include "vision/goal/GoalColumns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -19,7 +20,11 @@ constexpr double kMinSpacing = 2.0;         // px between columns
 constexpr double kMaxHeightRatio = 1.4;     // of a column's height to the goal's
 constexpr double kDistanceTolerance = 0.2;  // share by which columns' distances may differ
 constexpr double kFootSd = 0.012;           // rad, between a column's foot and the ground
-constexpr double kFootRows = 2.5;           // px by which the feet of a goal's columns differ
+constexpr double kFootRows = 2.5;           // px by which the feet of a goal's columns differ,
+constexpr double kFootShare = 0.1;          // and so much of their height
+// Ends are sought at this share of the wall's height above the foot, so this one below the top.
+constexpr double kEndHeight = 0.25;
+constexpr double kEndBelowTop = 0.75;
 
 // The lowest pixel of the candidate's colour in a level column, two lattice steps of it in a row.
 std::optional<PixelPoint> lowestIn(const Scene& scene, const GoalCandidate& c, double u) {
@@ -57,10 +62,13 @@ bool isTooTall(const Scene& scene, const GoalCandidate& c, bool topCut, const Sl
 
 enum class Below { green, other, outside };
 
-// The carpet follows within two pixels and a tenth of the height.
+// Whether the carpet follows, within two pixels and a tenth of the height.
 Below belowFoot(const Scene& scene, const EdgeHit& foot, double height) {
+  constexpr double kNear = 1.5;  // px
+  constexpr double kFar = 2.5;
+  constexpr double kHeightShare = 0.1;
   if (foot.cut) return Below::outside;
-  for (const double below : {1.5, 2.5, 2.5 + 0.1 * height}) {
+  for (const double below : {kNear, kFar, kFar + kHeightShare * height}) {
     const PixelPoint at = moved(foot.point, scene.frame.up(), -below);
     if (!Sampler::usable(at)) return Below::outside;
     if (scene.sampler.classAt(at) == ColourClass::green) return Below::green;
@@ -78,14 +86,16 @@ bool groundTells(const GoalCandidate& c, double distance, double above) {
 // By height when both ends are in the image, else by the foot on the ground.
 void measureDistance(const Scene& scene, const GoalFinderParams& p, const GoalCandidate& c,
                      const Slopes& at, GoalColumn& column) {
+  constexpr double kMinSlopes = 1e-3;   // between foot and top
+  constexpr double kMinDescent = 0.03;  // slope; a flatter ray's foot tells no distance
   const CameraPose& camera = scene.body.camera;
   const auto [low, high] = at;
   if (!column.topCut) {
-    const double d = scene.field.goalHeight / std::max(high - low, 1e-3);
+    const double d = scene.field.goalHeight / std::max(high - low, kMinSlopes);
     column.distance = d;
     column.sd = sizeSd(camera, d, scene.field.goalHeight, p.edgeSd);
     column.footError = maths::atan(low) - maths::atan(-camera.position.z / d);
-  } else if (low < -0.03 && groundTells(c, -camera.position.z / low, camera.position.z)) {
+  } else if (low < -kMinDescent && groundTells(c, -camera.position.z / low, camera.position.z)) {
     column.distance = -camera.position.z / low;
     const double direction = maths::hypot(p.directionSd.rad(), c.doubt.sd);
     column.sd = maths::square(column.distance) / camera.position.z * direction;
@@ -94,11 +104,12 @@ void measureDistance(const Scene& scene, const GoalFinderParams& p, const GoalCa
 
 double paintOf(const Scene& scene, const CarpetColour& carpet, const GoalCandidate& c,
                const GoalColumn& column) {
+  constexpr std::array<double, 3> kShares{0.3, 0.5, 0.7};  // of the way to the top
   double sum = 0.0;
-  for (const double share : {0.3, 0.5, 0.7}) {
+  for (const double share : kShares) {
     sum += paintShare(scene, carpet, c.colour, between(column.foot, column.top, share));
   }
-  return sum / 3.0;
+  return sum / static_cast<double>(kShares.size());
 }
 
 // Upwards from a column's lowest pixel, where its colour ends or a paler one of the same class
@@ -177,8 +188,8 @@ double heightOf(const GoalColumn& column) {
 }
 
 double widthOf(const Scene& scene, const GoalCandidate& c, double distance) {
-  double left = 1e9;
-  double right = -1e9;
+  double left = kFarOutside;
+  double right = -kFarOutside;
   for (const GoalColumn& column : c.columns) {
     if (!column.chosen) continue;
     left = std::min(left, column.u);
@@ -212,7 +223,7 @@ double middleFoot(const Scene& scene, const GoalCandidate& c) {
   for (const GoalColumn& column : c.columns) {
     if (column.chosen && !column.footCut) feet.push_back(scene.frame.fromImage(column.foot).v);
   }
-  if (feet.empty()) return 1e9;
+  if (feet.empty()) return kFarOutside;
   std::sort(feet.begin(), feet.end());
   return feet[feet.size() / 2];
 }
@@ -250,7 +261,7 @@ void chooseColumns(const Scene& scene, const GoalFinderParams& p, GoalCandidate&
   for (GoalColumn& column : c.columns) {
     if (column.chosen || column.footCut || !column.green) continue;
     const double lateral = std::fabs(scene.frame.fromImage(column.foot).v - foot);
-    if (lateral > kFootRows + 0.1 * heightOf(column)) continue;
+    if (lateral > kFootRows + kFootShare * heightOf(column)) continue;
     column.chosen = true;
     column.distance = 0.0;
   }
@@ -270,7 +281,7 @@ GoalColumn medianColumn(const GoalCandidate& c) {
 
 // The candidate's box becomes that of its chosen columns.
 void trim(const Scene& scene, GoalCandidate& c, double spacing) {
-  LevelBox box{1e9, 1e9, -1e9, -1e9};
+  LevelBox box = kEmptyLevelBox;
   for (const GoalColumn& column : c.columns) {
     if (!column.chosen) continue;
     const double top = scene.frame.fromImage(column.top).v;
@@ -302,13 +313,14 @@ const GoalColumn* outermost(const GoalCandidate& c, bool left) {
 // the foot beside the end. A line may cross one of the three places.
 bool endHidden(const Scene& scene, const GoalColumn& column, PixelPoint end,
                ImageDirection outwards) {
+  constexpr double kBeside = 2.5;                          // px from the end
+  constexpr std::array<double, 3> kBelow{0.2, 0.45, 0.7};  // of the height, below the foot
   const double height = heightOf(column);
   const ImageDirection up = scene.frame.up();
   int hidden = 0;
-  for (const double share : {0.2, 0.45, 0.7}) {
-    // From the end, a quarter of the height above the foot.
-    const double down = (0.25 + share) * height + 1.0;
-    const PixelPoint at = moved(moved(end, outwards, 2.5), up, -down);
+  for (const double share : kBelow) {
+    const double down = (kEndHeight + share) * height + 1.0;
+    const PixelPoint at = moved(moved(end, outwards, kBeside), up, -down);
     if (!Sampler::usable(at)) continue;
     hidden += scene.sampler.classAt(at) == ColourClass::green ? 0 : 1;
   }
@@ -318,15 +330,16 @@ bool endHidden(const Scene& scene, const GoalColumn& column, PixelPoint end,
 // The end of the coloured wall on one side, sought a quarter of its height above the foot, where
 // clothes of spectators do not reach.
 GoalEnd endOf(const Scene& scene, const GoalCandidate& c, bool left, double spacing) {
+  constexpr double kPastColumn = 2.0;  // px
   const GoalColumn* column = outermost(c, left);
   if (column == nullptr) return {};
-  const PixelPoint start{0.75 * column->foot.x + 0.25 * column->top.x,
-                         0.75 * column->foot.y + 0.25 * column->top.y};
+  const PixelPoint start{kEndBelowTop * column->foot.x + kEndHeight * column->top.x,
+                         kEndBelowTop * column->foot.y + kEndHeight * column->top.y};
   const ImageDirection right = scene.frame.right();
   const ImageDirection way = left ? -right : right;
   EdgeHit hit = walkToEdge(scene.sampler, {start, way, c.colour, kHoles});
   // Farther than the next column, which is not the goal's: something of its colour touches it.
-  if (!hit.cut && hit.length > spacing + 2.0) hit.point = moved(start, way, 0.5 * spacing);
+  if (!hit.cut && hit.length > spacing + kPastColumn) hit.point = moved(start, way, 0.5 * spacing);
   return {hit.point, hit.cut, !hit.cut && endHidden(scene, *column, hit.point, way)};
 }
 

@@ -2,6 +2,7 @@
 #include "vision/goal/GoalFinder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "robot/core/ScratchVector.h"
@@ -18,7 +19,7 @@ namespace kelpie::vision {
 namespace {
 
 constexpr double kBeaconAspect = 1.3;  // a beacon's band is no wider for its height
-constexpr std::uint32_t kMinPart = 6;  // samples of a blob worth joining
+constexpr std::uint32_t kMinPart = 6;  // samples of a blob that is joined
 
 bool contains(const PixelBox& box, PixelPoint p, double margin) {
   return p.x >= box.left - margin && p.x <= box.right + margin && p.y >= box.top - margin &&
@@ -36,8 +37,9 @@ bool isBandOf(const LandmarkPercept& beacon, ColourClass colour) {
 }
 
 bool isBeaconBand(const Blob& blob, const Landmarks& landmarks) {
+  constexpr double kMargin = 2.0;  // px
   for (const LandmarkPercept& l : landmarks)
-    if (isBandOf(l, blob.colour) && contains(l.box, blob.centre, 2.0)) return true;
+    if (isBandOf(l, blob.colour) && contains(l.box, blob.centre, kMargin)) return true;
   return false;
 }
 
@@ -47,10 +49,12 @@ double overlap(double a0, double a1, double b0, double b1) {
 
 // Parts of one goal stand side by side (a goalie between) or touch.
 bool belongs(const LevelBox& goal, const LevelBox& part) {
+  constexpr double kMinCommonRows = 0.5;  // of the lower one's height
+  constexpr double kMaxGap = 0.8;         // of the goal's width, which a goalie hides
   const double height = std::min(goal.bottom - goal.top, part.bottom - part.top);
   const double gap = -overlap(goal.left, goal.right, part.left, part.right);
   const double rows = overlap(goal.top, goal.bottom, part.top, part.bottom);
-  return rows >= 0.5 * height && gap <= 0.8 * (goal.right - goal.left);
+  return rows >= kMinCommonRows * height && gap <= kMaxGap * (goal.right - goal.left);
 }
 
 LevelBox hull(const LevelBox& a, const LevelBox& b) {
@@ -116,7 +120,7 @@ ElevationError elevationErrorOf(const Scene& scene, const GoalCandidate& c,
   if (errors.size() < 2) return {};
   std::sort(errors.begin(), errors.end());
   const double pixel = p.edgeSd / focalLength(scene);
-  const double share = 1.414 * scene.body.camera.position.z / scene.field.goalHeight;
+  const double share = kRootTwo * scene.body.camera.position.z / scene.field.goalHeight;
   return {Angle::rad(errors[errors.size() / 2]), pixel * pixel * (1.0 + share * share)};
 }
 
@@ -138,6 +142,8 @@ constexpr double kAlongByTurnSd = 4.0;
 
 LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,
                           const GoalFinderParams& p) {
+  constexpr double kDistanceShare = 0.05;  // sd of the distance, over it
+  constexpr double kMinDistance = 20.0;    // cm
   const Point3<Robot>& eye = scene.body.camera.position;
   const Point2<Robot> camera{eye.x, eye.y};
   const Point2<Robot> middle = camera + shape.middle;
@@ -148,11 +154,12 @@ LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const Goal
   percept.heading = bearing(middle);
   const PixelPoint centre = scene.frame.toImage({c.box.middle(), 0.5 * (c.box.top + c.box.bottom)});
   percept.elevation = Angle::rad(maths::atan(groundRayThrough(scene.body.camera, centre).slope));
-  percept.distanceVariance =
-      maths::square(c.distanceSd) + maths::square(0.05 * percept.distance) + maths::square(across);
+  percept.distanceVariance = maths::square(c.distanceSd) +
+                             maths::square(kDistanceShare * percept.distance) +
+                             maths::square(across);
   percept.headingVariance =
       maths::square(p.headingSd.rad()) +
-      maths::square(std::max(across, kAlongByTurnSd) / std::max(percept.distance, 20.0));
+      maths::square(std::max(across, kAlongByTurnSd) / std::max(percept.distance, kMinDistance));
   percept.elevationError = elevationErrorOf(scene, c, p);
   percept.leftEdge = bearing(camera + shape.leftPost(scene.field));
   percept.rightEdge = bearing(camera + shape.rightPost(scene.field));
@@ -285,8 +292,9 @@ bool goalHasFieldBelow(const GoalCandidate& c, const GoalFinderParams& p) {
 
 // A beacon that was not recognised has its pink right above or below.
 bool goalHasNoPinkBeside(const Scene& scene, const GoalCandidate& c) {
+  constexpr std::array<double, 3> kShares{0.15, 0.35, 0.55};  // of the height, away from it
   if (c.box.width() > kBeaconAspect * c.box.height()) return true;
-  for (const double share : {0.15, 0.35, 0.55}) {
+  for (const double share : kShares) {
     const double away = 1.0 + share * c.box.height();
     for (const double v : {c.box.top - away, c.box.bottom + away}) {
       const PixelPoint at = scene.frame.toImage({c.box.middle(), v});

@@ -11,11 +11,13 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr int kHeights = 7;          // places looked at between foot and top
-constexpr double kFreeShare = 0.85;  // of these must show the goal's colour
-constexpr int kMinPlaces = 3;        // of these must be in the image
-constexpr int kMaxSteps = 260;       // the image's width and a quarter
-constexpr double kMinGap = 2.5;      // px
+constexpr int kHeights = 7;             // places looked at between foot and top
+constexpr double kLowestHeight = 0.12;  // of the way to the top, the first of these
+constexpr double kHeightSpan = 0.72;    // from the first to the last of these
+constexpr double kFreeShare = 0.85;     // of these must show the goal's colour
+constexpr int kMinPlaces = 3;           // of these must be in the image
+constexpr int kMaxSteps = 260;          // the image's width and a quarter
+constexpr double kMinGap = 2.5;         // px
 
 using Vec = Point2<Robot>;
 
@@ -57,7 +59,7 @@ Look lookBetween(const Scene& scene, ColourClass colour, const Sight& wall, doub
   int places = 0;
   int open = 0;
   for (int i = 0; i < kHeights; ++i) {
-    const double share = 0.12 + 0.72 * i / (kHeights - 1);
+    const double share = kLowestHeight + kHeightSpan * i / (kHeights - 1);
     const PixelPoint at = moved(between(wall.foot, wall.top, share), scene.frame.up(), -shift);
     if (!Sampler::usable(at)) continue;
     const ColourClass seen = scene.sampler.classAt(at);
@@ -105,7 +107,7 @@ GoalGap gapOf(const Scene& scene, const GoalCandidate& c, const Mouth& m, int fi
   gap.right = mouthBearing(scene, m.left, m.right, right);
   const Point3<Robot>& eye = scene.body.camera.position;
   const double distance = (m.left + m.right).norm() * 0.5;
-  PixelBox box{1e9, 1e9, -1e9, -1e9};
+  PixelBox box = kEmptyPixelBox;
   for (const double direction : {left, right}) {
     const maths::SinCos d = maths::sinCos(direction);
     for (const double height : {0.0, scene.field.goalHeight}) {

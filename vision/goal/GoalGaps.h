@@ -9,7 +9,8 @@
 
 namespace kelpie::vision {
 
-using GoalGaps = FixedVector<GoalGap, 6>;
+constexpr std::size_t kMaxGoalGaps = 6;
+using GoalGaps = FixedVector<GoalGap, kMaxGoalGaps>;
 
 void findGaps(const Scene& scene, const GoalCandidate& c, const GoalShape& shape, GoalGaps& gaps);
 

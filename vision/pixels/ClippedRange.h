@@ -20,7 +20,7 @@ class WalkBounds {
   WalkBounds() = default;
   // `slope`: of the coordinate along the walk.
   WalkBounds(double slope, double low, double high)
-      : low_(low), high_(high), perSlope_(std::fabs(slope) < 1e-9 ? 0.0 : 1.0 / slope) {}
+      : low_(low), high_(high), perSlope_(std::fabs(slope) < kMinSlope ? 0.0 : 1.0 / slope) {}
 
   // Keeps the ways at which low <= start + way * slope < high.
   void clip(double start, ClippedRange& range) const {
@@ -35,6 +35,8 @@ class WalkBounds {
   }
 
  private:
+  static constexpr double kMinSlope = 1e-9;  // below it the coordinate stays the same
+
   double low_ = 0.0;
   double high_ = 0.0;
   double perSlope_ = 0.0;  // 0: the coordinate stays the same

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The size of a coloured patch along the horizon and square to it: the head rolls the image by up
-// to 90 deg when it looks aside and down.
+// to 90 deg when it looks to the side and down.
 #pragma once
 
 #include <algorithm>

@@ -6,6 +6,10 @@
 
 namespace kelpie::vision {
 
+// The lattice's positions: 1/65536 px, so that what the shift leaves is the pixel.
+constexpr int kLatticeBits = 16;
+constexpr double kLatticeOne = 65536.0;
+
 // To the nearest of `one` parts of a pixel, without the library's call: two for each row.
 inline std::int32_t fixedPoint(double value, double one) {
   const double scaled = value * one;

@@ -17,10 +17,12 @@ struct GroundRay {
   double slope = 0.0;  // tangent of the elevation
 };
 
-// Of a ray of any length.
+// Of a ray of any length; one that is vertical has no direction on the ground.
 inline GroundRay alongGround(const Point3<Robot>& ray) {
   const double along = std::sqrt(ray.x * ray.x + ray.y * ray.y);
-  if (along < 1e-6) return {0.0, 1.0, ray.z > 0.0 ? 1e6 : -1e6};
+  constexpr double kMinAlong = 1e-6;
+  constexpr double kVerticalSlope = 1e6;
+  if (along < kMinAlong) return {0.0, 1.0, ray.z > 0.0 ? kVerticalSlope : -kVerticalSlope};
   const double perLength = 1.0 / along;
   return {ray.x * perLength, ray.y * perLength, ray.z * perLength};
 }
@@ -34,10 +36,13 @@ inline Point2<Robot> placeAt(const CameraPose& camera, const GroundRay& ray, dou
   return {camera.position.x + distance * ray.right, camera.position.y + distance * ray.forward};
 }
 
+// The root of 2: two ends, whose errors do not depend on each other.
+constexpr double kRootTwo = 1.414;
+
 // Standard deviation of a distance d from the angle that `height` fills, each end uncertain by
 // `edgeSd` pixels.
 inline double sizeSd(const CameraPose& camera, double d, double height, double edgeSd) {
-  return d * d / height * 1.414 * edgeSd / camera.lens.focalLength;
+  return d * d / height * kRootTwo * edgeSd / camera.lens.focalLength;
 }
 
 }  // namespace kelpie::vision

@@ -2,9 +2,10 @@
 // The camera's roll: what is up, what is right and what is as high as the camera in the image.
 // Level coordinates are those of the image turned about its middle until up is up: u runs to the
 // right along the horizon, v down from it, both in pixels, the same as x and y while the head is
-// not rolled. The head's pan axis leans with the neck, so a look aside rolls the image by up to 70
-// deg; patches, columns and boxes are only upright in level coordinates. From the camera's axes,
-// not from the horizon's two rows, which are clamped and say nothing when the horizon is upright.
+// not rolled. The head's pan axis leans with the neck, so a look to the side rolls the image by up
+// to 70 deg; patches, columns and boxes are only upright in level coordinates. From the camera's
+// axes, not from the horizon's two rows, which are clamped and say nothing when the horizon is
+// upright.
 #pragma once
 
 #include <algorithm>
@@ -43,6 +44,11 @@ struct LevelBox {
   double middle() const { return 0.5 * (left + right); }
 };
 
+// px, outside any image: where a box begins that nothing is in yet.
+constexpr double kFarOutside = 1e9;
+inline constexpr LevelBox kEmptyLevelBox{kFarOutside, kFarOutside, -kFarOutside, -kFarOutside};
+inline constexpr PixelBox kEmptyPixelBox{kFarOutside, kFarOutside, -kFarOutside, -kFarOutside};
+
 struct HorizonFrame {
   double cos = 1.0;  // of the roll
   double sin = 0.0;
@@ -78,7 +84,7 @@ HorizonFrame horizonFrameOf(const CameraPose& camera);
 
 // The image box around a level one.
 inline PixelBox imageBox(const HorizonFrame& frame, const LevelBox& box) {
-  PixelBox around{1e9, 1e9, -1e9, -1e9};
+  PixelBox around = kEmptyPixelBox;
   for (const double u : {box.left, box.right})
     for (const double v : {box.top, box.bottom}) {
       const PixelPoint p = frame.toImage({u, v});

@@ -9,7 +9,6 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kFixedPointOne = 65536.0;
 // A ball is a metre away and 15 px across where it is seen 32 px below the horizon; where a
 // beacon's top is 44 px above it, at a metre, its pink band is 19 px high. Nothing there needs
 // every second row: 12000 rendered views (`kelpie evaluate objects`) gave the same figures to their
@@ -17,8 +16,12 @@ constexpr double kFixedPointOne = 65536.0;
 constexpr double kFineBelow = 32.0;
 constexpr double kFineAbove = 44.0;
 constexpr double kRimMargin = 0.01;  // px, so that rounding to 1/65536 stays inside
+// px from the pixel that the usable box begins in to the middle of the next, the first all inside.
+constexpr double kToFirstSample = 1.5;
+constexpr double kMaxRow = 1e6;    // rows; a horizon far outside still becomes a whole number
+constexpr double kMaxAlong = 1e4;  // px along a row, longer than any image
 
-std::int32_t fixed(double value) { return fixedPoint(value, kFixedPointOne); }
+std::int32_t fixed(double value) { return fixedPoint(value, kLatticeOne); }
 
 // Of what is not negative.
 int roundedUp(double value) {
@@ -27,7 +30,7 @@ int roundedUp(double value) {
 }
 
 LevelBox usableBox(const HorizonFrame& frame) {
-  LevelBox box{1e9, 1e9, -1e9, -1e9};
+  LevelBox box = kEmptyLevelBox;
   for (const double x : {kUsableLeft * 1.0, kUsableRight * 1.0})
     for (const double y : {kUsableTop * 1.0, kUsableBottom * 1.0}) {
       const LevelPoint p = frame.fromImage({x, y});
@@ -41,12 +44,13 @@ LevelBox usableBox(const HorizonFrame& frame) {
 
 Lattice::Lattice(const HorizonFrame& frame, double horizon) : frame_(frame) {
   const LevelBox box = usableBox(frame);
-  left_ = std::floor(box.left) + 1.5;
-  top_ = std::floor(box.top) + 1.5;
+  left_ = std::floor(box.left) + kToFirstSample;
+  top_ = std::floor(box.top) + kToFirstSample;
   rows_ = static_cast<int>((box.bottom - top_) / kLatticeStep) + 1;
-  fineFrom_ =
-      static_cast<int>(maths::clamp((horizon - kFineAbove - top_) / kLatticeStep, -1e6, 1e6));
-  fineTo_ = static_cast<int>(maths::clamp((horizon + kFineBelow - top_) / kLatticeStep, -1e6, 1e6));
+  fineFrom_ = static_cast<int>(
+      maths::clamp((horizon - kFineAbove - top_) / kLatticeStep, -kMaxRow, kMaxRow));
+  fineTo_ = static_cast<int>(
+      maths::clamp((horizon + kFineBelow - top_) / kLatticeStep, -kMaxRow, kMaxRow));
   origin_ = frame.toImage({left_, top_});
   across_ = {frame.cos, kUsableLeft + kRimMargin, kUsableRight - kRimMargin};
   along_ = {frame.sin, kUsableTop + kRimMargin, kUsableBottom - kRimMargin};
@@ -56,7 +60,7 @@ Lattice::Lattice(const HorizonFrame& frame, double horizon) : frame_(frame) {
 
 LatticeRow Lattice::row(int index) const {
   const PixelPoint from = moved(origin_, -frame_.up(), kLatticeStep * index);
-  ClippedRange u{0.0, 1e4};
+  ClippedRange u{0.0, kMaxAlong};
   across_.clip(from.x, u);
   along_.clip(from.y, u);
   LatticeRow row;

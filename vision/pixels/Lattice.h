@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "vision/pixels/ClippedRange.h"
+#include "vision/pixels/FixedPoint.h"
 #include "vision/pixels/HorizonFrame.h"
 #include "vision/pixels/Sampler.h"
 
@@ -22,8 +23,8 @@ struct LatticeRow {
   int first = 0;  // lattice column of the first sample
   int count = 0;
 
-  int pixelX() const { return x >> 16; }
-  int pixelY() const { return y >> 16; }
+  int pixelX() const { return x >> kLatticeBits; }
+  int pixelY() const { return y >> kLatticeBits; }
 };
 
 class Lattice {

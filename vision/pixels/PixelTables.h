@@ -25,7 +25,7 @@ struct RingByValue {
             cells[kStride * raw.cb + kCb + at.cb]};
   }
 
-  std::array<std::uint8_t, 256 * kStride> cells{};
+  std::array<std::uint8_t, kByteValues * kStride> cells{};
   std::array<RingCentre, 3> centre{};
 };
 

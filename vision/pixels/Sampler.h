@@ -11,6 +11,7 @@
 #include "robot/core/types/Geometry.h"
 #include "robot/core/types/Image.h"
 #include "vision/pixels/ClassMemory.h"
+#include "vision/pixels/FixedPoint.h"
 #include "vision/pixels/PixelTables.h"
 
 namespace kelpie::vision {
@@ -92,17 +93,19 @@ class Sampler {
   class SamplesInRow {
    public:
     explicit SamplesInRow(std::int32_t step)
-        : down_(step >= 0), perStep_(step == 0 ? 0 : 0xFFFFFFFFU / magnitude(step)) {}
+        : down_(step >= 0), perStep_(step == 0 ? 0 : kMaxQuotient / magnitude(step)) {}
     int operator()(std::int32_t y) const {
       constexpr std::int32_t kLast = 0xFFFF;
       if (perStep_ == 0) return kImageWidth;
       const auto rest = static_cast<std::uint32_t>(down_ ? kLast - (y & kLast) : y & kLast);
       // The quotient by the step or one less, which leaves a sample for a run of its own: a
       // division for each row of pixels takes as long as seven samples.
-      return 1 + static_cast<int>((std::uint64_t{rest} * perStep_) >> 32);
+      return 1 + static_cast<int>((std::uint64_t{rest} * perStep_) >> kQuotientBits);
     }
 
    private:
+    static constexpr int kQuotientBits = 32;
+    static constexpr std::uint32_t kMaxQuotient = 0xFFFFFFFFU;  // 2^32 - 1
     static std::uint32_t magnitude(std::int32_t step) {
       return static_cast<std::uint32_t>(std::abs(step));
     }
@@ -125,14 +128,14 @@ class Sampler {
     const auto stepX = static_cast<std::size_t>(step);
     for (const std::uint8_t* const last = out + count; out < last;) {
       const int here = std::min(static_cast<int>(last - out), samplesInRow(y));
-      const auto row = static_cast<std::size_t>(y >> 16);
+      const auto row = static_cast<std::size_t>(y >> kLatticeBits);
       y += here * stepY;
       const std::size_t start = row * kImageWidth;
       const std::uint8_t* const toY = rows_[0][row];
       const std::uint8_t* const toCr = rows_[1][row];
       const std::uint8_t* const toCb = rows_[2][row];
       for (const std::uint8_t* const end = out + here; out != end; ++out, x += stepX) {
-        const std::size_t px = x >> 16;
+        const std::size_t px = x >> kLatticeBits;
         const std::size_t at = start + px;
         const Yuv raw{image.y[at], image.cr[at], image.cb[at]};
         const Yuv corrected = tables.ring(raw, {toY[px], toCr[px], toCb[px]});
@@ -153,13 +156,13 @@ class Sampler {
     std::size_t start = 0;
     int row = -1;
     for (const std::uint8_t* const end = out + count; out != end; ++out, x += stepX, y += stepY) {
-      const int py = y >> 16;
+      const int py = y >> kLatticeBits;
       if (py != row) {
         row = py;
         start = Image::at(0, py);
         for (std::size_t c = 0; c < 3; ++c) to[c] = rows_[c][static_cast<std::size_t>(py)];
       }
-      const auto px = static_cast<std::size_t>(x >> 16);
+      const auto px = static_cast<std::size_t>(x >> kLatticeBits);
       const std::size_t at = start + px;
       const Yuv raw{image.y[at], image.cr[at], image.cb[at]};
       const Yuv corrected = tables.ring(raw, {to[0][px], to[1][px], to[2][px]});

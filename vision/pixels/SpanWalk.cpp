@@ -61,7 +61,7 @@ struct Blend {
   double operator()(const Halves& c) const { return dot(c - outside, difference) * perNorm; }
 };
 
-// Colours closer than this cannot be told apart above the noise (sd 3): take the class's edge.
+// Colours closer than this cannot be distinguished above the noise (sd 3): take the class's edge.
 constexpr int kMinContrast = 36;  // half grey levels
 
 // Where the pixels of a blurred edge are half inside and half outside; `plain` without any.

@@ -7,6 +7,7 @@
 #include "robot/body/Camera.h"
 #include "robot/core/ScratchVector.h"
 #include "vision/Refusal.h"
+#include "vision/pixels/FixedPoint.h"
 
 namespace kelpie::vision {
 namespace {
@@ -69,7 +70,8 @@ double farthestRow(const Scene& scene, const ObstacleParams& p) {
   const double rise = a[6] * up.dx + a[7] * up.dy;
   const double start = a[8] * focalLength(scene);
   const double highest = -camera.position.z / p.maxDistance * focalLength(scene);
-  return rise > 1e-9 ? camera.lens.principalY - (highest - start) / rise : -1e9;
+  constexpr double kMinRise = 1e-9;  // where the lines run along the horizon every row counts
+  return rise > kMinRise ? camera.lens.principalY - (highest - start) / rise : -kFarOutside;
 }
 
 // The rows that the blobs were made of, from those that tell a shadow at the farthest obstacle.
@@ -89,16 +91,15 @@ bool holds(const LatticeRow& row, int column) {
 }
 
 PixelPoint pointAt(const Scene& scene, const LatticeRow& row, int column) {
-  constexpr double kFixedPointOne = 65536.0;
   const int along = column - row.first;
-  return {(row.x + along * scene.lattice.stepX()) / kFixedPointOne,
-          (row.y + along * scene.lattice.stepY()) / kFixedPointOne};
+  return {(row.x + along * scene.lattice.stepX()) / kLatticeOne,
+          (row.y + along * scene.lattice.stepY()) / kLatticeOne};
 }
 
 Sample sampleAt(const Scene& scene, const LatticeRow& row, int column) {
   const int along = column - row.first;
-  const int px = (row.x + along * scene.lattice.stepX()) >> 16;
-  const int py = (row.y + along * scene.lattice.stepY()) >> 16;
+  const int px = (row.x + along * scene.lattice.stepX()) >> kLatticeBits;
+  const int py = (row.y + along * scene.lattice.stepY()) >> kLatticeBits;
   return {px, py, scene.sampler.classAt(px, py)};
 }
 
@@ -232,7 +233,8 @@ void walkRow(Search& s, int index, Obstacles& found) {
   std::int32_t y = row.y + (first - row.first) * stepY;
   ScanLine* line = &s.lines[static_cast<std::size_t>(first) / kColumnStep];
   for (int column = first; column < end; column += kColumnStep, ++line) {
-    const Sample at{x >> 16, y >> 16, s.scene.sampler.classAt(x >> 16, y >> 16)};
+    const Sample at{x >> kLatticeBits, y >> kLatticeBits,
+                    s.scene.sampler.classAt(x >> kLatticeBits, y >> kLatticeBits)};
     x += kColumnStep * stepX;
     y += kColumnStep * stepY;
     if (at.colour == ColourClass::green) {
