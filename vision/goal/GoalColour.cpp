@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/goal/GoalColour.h"
 
+#include <array>
+
 #include "robot/core/Maths.h"
 #include "vision/pixels/Between.h"
 
@@ -54,19 +56,25 @@ std::optional<double> paintedShare(const Scene& scene, const CarpetColour& carpe
                                    ColourClass colour, PixelPoint foot, PixelPoint top) {
   constexpr double kPale = 0.85;  // of the paint at the foot
   constexpr int kHalvings = 5;
+  // Shares of the way from foot to top: the two lower ones show the paint, the two upper ones
+  // whether anything paler follows; where it begins is sought between the inner two.
+  constexpr double kLowest = 0.15;
+  constexpr double kSearchFrom = 0.3;
+  constexpr double kSearchTo = 0.8;
+  constexpr double kHighest = 0.92;
   if (!carpet.known || colour != ColourClass::blue) return std::nullopt;
-  // Of three neighbours, against noise.
+  constexpr std::array<double, 3> kNeighbours{-1.0, 0.0, 1.0};  // px, against noise
   const auto paint = [&](double share) {
     const PixelPoint p = between(foot, top, share);
     double sum = 0.0;
-    for (const double lateral : {-1.0, 0.0, 1.0})
+    for (const double lateral : kNeighbours)
       sum += paintShare(scene, carpet, colour, moved(p, scene.frame.right(), lateral));
-    return sum / 3.0;
+    return sum / static_cast<double>(kNeighbours.size());
   };
-  const double pale = kPale * 0.5 * (paint(0.15) + paint(0.3));
-  double in = 0.3;
-  double out = 0.8;
-  if (0.5 * (paint(out) + paint(0.92)) >= pale) return std::nullopt;
+  const double pale = kPale * 0.5 * (paint(kLowest) + paint(kSearchFrom));
+  double in = kSearchFrom;
+  double out = kSearchTo;
+  if (0.5 * (paint(out) + paint(kHighest)) >= pale) return std::nullopt;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (in + out);
     (paint(middle) >= pale ? in : out) = middle;

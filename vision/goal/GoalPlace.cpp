@@ -24,10 +24,12 @@ struct GroundLine {
 };
 
 std::optional<GroundLine> groundLine(const Scene& scene, const FieldEdgePercept& e) {
+  constexpr double kLeft = 0.25;  // of the image's width
+  constexpr double kRight = 0.75;
   const CameraPose& camera = scene.body.camera;
   const auto at = [&](double x) { return body::groundPoint(camera, {x, edgeRow(e, x)}); };
-  const auto left = at(0.25 * kImageWidth);
-  const auto right = at(0.75 * kImageWidth);
+  const auto left = at(kLeft * kImageWidth);
+  const auto right = at(kRight * kImageWidth);
   if (!left || !right) return std::nullopt;
   const Vec along = *right - *left;
   const double length = along.norm();

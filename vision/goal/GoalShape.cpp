@@ -17,7 +17,15 @@ constexpr double kMinColumnSd = 0.012;   // of a column's distance, as a share o
 constexpr double kTurnSd = 0.7;          // rad; goals are seen from within the field
 constexpr double kMaxError = 3.0;        // standard deviations, beyond which an error counts less
 constexpr int kRounds = 8;
-constexpr double kNoWall = 1e9;  // cm, of a ray that meets no wall
+constexpr double kNoWall = 1e9;       // cm, of a ray that meets no wall
+constexpr double kNoDirection = 1e9;  // rad, before any is known
+constexpr double kNoCost = 1e18;      // more than any fit's
+constexpr double kMaxWay = 2.0;       // of a column's distance, up to which its ray meets a wall
+// Levenberg and Marquardt's: multiplied after a step that was worse, and after a better one.
+constexpr double kFirstDamping = 0.01;
+constexpr double kDampingRise = 10.0;
+constexpr double kDampingFall = 0.3;
+constexpr double kMinProgress = 0.01;  // of the cost, below which the fit ends
 
 using Vec = Point2<Robot>;
 using State = std::array<double, 3>;  // middle x, middle y, turn
@@ -102,11 +110,12 @@ struct Wall {
 
   // The way along the ray to it.
   double hit(Vec ray) const {
+    constexpr double kParallel = 1e-9;
     const double denominator = crossOf(ray, along);
     const double size = std::fabs(denominator);
-    if (size < 1e-9) return kNoWall;
+    if (size < kParallel) return kNoWall;
     // The share of the wall at which it is met, and the way, are over the denominator: only a wall
-    // that is met is worth a quotient.
+    // that is met needs the quotient.
     const double sign = denominator < 0.0 ? -1.0 : 1.0;
     const double share = sign * crossOf(from, ray);
     constexpr double kSlack = 0.03;  // a ray that just passes an end still meets the wall
@@ -155,8 +164,8 @@ struct Walls {
 struct Ends {
   Vec left;
   Vec right;
-  double low = 1e9;
-  double high = -1e9;
+  double low = kNoDirection;
+  double high = -kNoDirection;
 };
 
 Ends endsOf(const Corners& c) {
@@ -169,7 +178,7 @@ Ends endsOf(const Corners& c) {
     if (crossOf(corner, left) < 0.0) left = corner;
     if (crossOf(corner, right) > 0.0) right = corner;
   }
-  // With all ahead the outermost are told by their ratios: two arcs in place of four.
+  // With all ahead the outermost are found by their ratios: two arcs in place of four.
   if (ahead) return {left, right, maths::atan2(left.x, left.y), maths::atan2(right.x, right.y)};
   for (const Vec& corner : {c.leftPost, c.rightPost, c.leftBack, c.rightBack}) {
     const double direction = maths::atan2(corner.x, corner.y);
@@ -214,7 +223,7 @@ struct Placed {
   Placed(const Measured& m, const State& s, const Corners& c)
       : middle{s[0], s[1]}, walls(c), ends(endsOf(c)) {
     for (const Column& column : m.columns)
-      met.push_back(walls.met(column.way, 2.0 * column.distance));
+      met.push_back(walls.met(column.way, kMaxWay * column.distance));
   }
 };
 
@@ -245,6 +254,7 @@ double costOf(const Errors& e) {
 // Solves the damped normal equations for the next step (Cramer's rule on three unknowns).
 State stepOf(const std::array<Errors, 3>& slopes, const Errors& e, std::size_t count,
              double damping) {
+  constexpr double kMinDeterminant = 1e-12;
   std::array<double, 9> a{};
   State b{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -262,7 +272,7 @@ State stepOf(const std::array<Errors, 3>& slopes, const Errors& e, std::size_t c
   const double c01 = -minor(3, 5, 6, 8);
   const double c02 = minor(3, 4, 6, 7);
   const double determinant = a[0] * c00 + a[1] * c01 + a[2] * c02;
-  if (std::fabs(determinant) < 1e-12) return {};
+  if (std::fabs(determinant) < kMinDeterminant) return {};
   const double c11 = minor(0, 2, 6, 8);
   const double c12 = -minor(0, 1, 6, 7);
   const double c22 = minor(0, 1, 3, 4);
@@ -329,7 +339,7 @@ Fit improved(const Measured& m, State state, const Fit& known,
   Errors errors = errorsOf(m, state, start);
   Slopes slopes = slopesAt(m, start, errors);
   double cost = costOf(errors);
-  double damping = 0.01;
+  double damping = kFirstDamping;
   for (int round = 0; round < kRounds; ++round) {
     const State step = stepOf(slopes, errors, errorCount(m), damping);
     const State next{state[0] + step[0], state[1] + step[1], state[2] + step[2]};
@@ -337,17 +347,17 @@ Fit improved(const Measured& m, State state, const Fit& known,
     const Errors nextErrors = errorsOf(m, next, placed);
     const double nextCost = costOf(nextErrors);
     if (!(nextCost < cost)) {
-      damping *= 10.0;
+      damping *= kDampingRise;
       continue;
     }
-    const bool done = cost - nextCost < 0.01;
+    const bool done = cost - nextCost < kMinProgress;
     state = next;
     cost = nextCost;
     if (isNear(state, known.state)) return known;
     if (done || round + 1 == kRounds) break;
     errors = nextErrors;
     slopes = slopesAt(m, placed, errors);
-    damping *= 0.3;
+    damping *= kDampingFall;
   }
   return {state, cost};
 }
@@ -380,12 +390,16 @@ bool goalFacesField(const GoalShape& shape, const GoalFinderParams& p) {
 }
 
 GoalShape fitGoal(const Scene& scene, const GoalCandidate& c) {
+  constexpr double kSeenDepth =
+      0.7;  // of the goal's depth, from the mouth to the walls that are seen
+  constexpr double kMinDistance = 20.0;                    // cm, to the mouth
+  constexpr std::array<double, 3> kTurns{-0.6, 0.0, 0.6};  // rad, to begin with
   const Measured m = measuredOf(scene, c);
   if (m.columns.empty()) return {};
-  const double mouth = std::max(c.wallDistance - 0.7 * scene.field.goalDepth, 20.0);
+  const double mouth = std::max(c.wallDistance - kSeenDepth * scene.field.goalDepth, kMinDistance);
   const maths::SinCos ahead = maths::sinCos(m.middle);
-  Fit best{{}, 1e18};
-  for (const double turn : {-0.6, 0.0, 0.6}) {
+  Fit best{{}, kNoCost};
+  for (const double turn : kTurns) {
     const Fit fit =
         improved(m, {mouth * ahead.sin, mouth * ahead.cos, turn - m.middle}, best, scene.field);
     if (fit.cost < best.cost) best = fit;

@@ -14,6 +14,7 @@ struct JudgedGoal {
   GoalFacts facts;
   double logOddsAgainst = 0.0;
 };
-using JudgedGoals = FixedVector<JudgedGoal, 16>;
+constexpr std::size_t kMaxJudgedGoals = 16;
+using JudgedGoals = FixedVector<JudgedGoal, kMaxJudgedGoals>;
 
 }  // namespace kelpie::vision
