@@ -16,10 +16,11 @@ namespace {
 
 constexpr int kSpokes = 16;
 
-// Along spokes from a place inside the orange. A highlight or a shadow may interrupt the orange for
-// a sixth of its size; what is farther away than `reach` is not the ball's outline.
+// Along spokes from a place inside the orange. A highlight or a shadow may interrupt the orange;
+// what is farther away than `reach` is not the ball's outline.
 void measure(const Scene& scene, PixelPoint from, double size, double reach, BallCandidate& c) {
-  const int holes = std::max(1, static_cast<int>(size / 6.0));
+  constexpr double kSizePerHole = 6.0;  // it may be a sixth of the ball's size
+  const int holes = std::max(1, static_cast<int>(size / kSizePerHole));
   EdgePoints points;
   for (int i = 0; i < kSpokes; ++i) {
     const auto direction = maths::sinCos(2.0 * maths::kPi * i / kSpokes);
@@ -68,11 +69,14 @@ BallCandidate ballFromMiddle(const Scene& scene, const Blob& blob) {
   BallCandidate c;
   c.blob = &blob;
   const double size = std::max(blob.box.width(), blob.box.height());
-  measure(scene, blob.centre, size, 1e3, c);
+  constexpr double kAnyReach = 1e3;  // px, more than an image's diagonal
+  measure(scene, blob.centre, size, kAnyReach, c);
   return c;
 }
 
 BallCandidate ballFromFoot(const Scene& scene, const Blob& blob) {
+  constexpr double kMinRange = 10.0;  // cm
+  constexpr double kMaxReach = 1.7;   // radii, and a pixel: beyond, another thing's edge
   BallCandidate c;
   c.blob = &blob;
   c.standsAlone = false;
@@ -83,19 +87,20 @@ BallCandidate ballFromFoot(const Scene& scene, const Blob& blob) {
   const Point3<Robot>& eye = scene.body.camera.position;
   const double along = maths::hypot(ground->x - eye.x, ground->y - eye.y);
   const double radius =
-      focalLength(scene) * body::kBallRadius / std::max(maths::hypot(along, eye.z), 10.0);
+      focalLength(scene) * body::kBallRadius / std::max(maths::hypot(along, eye.z), kMinRange);
   const PixelPoint middle = moved(*lowest, scene.frame.up(), radius);
   if (!Sampler::usable(middle) || scene.sampler.classAt(middle) != ColourClass::orange) return c;
-  measure(scene, middle, 2.0 * radius, 1.7 * radius + 1.0, c);
+  measure(scene, middle, 2.0 * radius, kMaxReach * radius + 1.0, c);
   return c;
 }
 
 double ballHeightError(const Scene& scene, const BallCandidate& c) {
+  constexpr double kHeight = 2.0;      // cm, at any range
   constexpr double kDirection = 0.03;  // rad, of the camera: 1.7 deg
   const double height = scene.body.camera.position.z + c.range * c.axis.z;
   const double descent = std::fabs(c.axis.z);
   const double direction = kDirection * doubtOf(scene, c, kSettledSd).spread;
-  const double allowed = 2.0 + c.range * (direction + sizeTolerance(c) * descent);
+  const double allowed = kHeight + c.range * (direction + sizeTolerance(c) * descent);
   return (height - body::kBallRadius) / allowed;
 }
 

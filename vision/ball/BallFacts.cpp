@@ -17,14 +17,17 @@ constexpr double kMaxRadii = 4.0;
 constexpr double kMaxFoot = 30.0;  // px
 // Points outside the image count as carpet below this row: half the image.
 constexpr double kCarpetFromRow = 80.0;
+constexpr double kBlur = 2.0;   // px beyond the outline in which colours are mixed
 constexpr int kFieldSteps = 6;  // of 30 deg along the lower half: seven points
 
 // Shares of the circle, on a grid of at most about 150 points.
 void fillInside(const Scene& scene, const Cone& cone, BallFacts& facts) {
+  constexpr double kMaxGridRadius = 200.0;  // px
+  constexpr double kPointsPerRadius = 7.0;
   std::array<int, kColourClassCount> count{};
   int all = 0;
-  const double r = std::min(cone.radius, 200.0);
-  const double step = std::max(1.0, r / 7.0);
+  const double r = std::min(cone.radius, kMaxGridRadius);
+  const double step = std::max(1.0, r / kPointsPerRadius);
   for (double y = -r; y <= r; y += step) {
     for (double x = -r; x <= r; x += step) {
       const PixelPoint p{cone.centre.x + x, cone.centre.y + y};
@@ -53,11 +56,12 @@ PixelPoint around(const Scene& scene, const BallCandidate& c, double radius, dou
 
 double orangeBeside(const Scene& scene, const BallCandidate& c) {
   constexpr int kPoints = 12;
+  constexpr double kRing = 1.25;  // radii
   int seen = 0;
   int orange = 0;
   for (int i = 0; i < kPoints; ++i) {
     const PixelPoint at =
-        around(scene, c, 1.25 * c.cone.radius + 2.0, 2.0 * maths::kPi * i / kPoints);
+        around(scene, c, kRing * c.cone.radius + kBlur, 2.0 * maths::kPi * i / kPoints);
     if (!Sampler::usable(at)) continue;
     ++seen;
     orange += scene.sampler.classAt(at) == ColourClass::orange ? 1 : 0;
@@ -66,9 +70,11 @@ double orangeBeside(const Scene& scene, const BallCandidate& c) {
 }
 
 double fieldAround(const Scene& scene, const BallCandidate& c) {
+  constexpr double kRing = 1.3;  // radii
   int field = 0;
   for (int i = 0; i <= kFieldSteps; ++i) {
-    const PixelPoint at = around(scene, c, 1.3 * c.cone.radius + 2.0, maths::kPi * i / kFieldSteps);
+    const PixelPoint at =
+        around(scene, c, kRing * c.cone.radius + kBlur, maths::kPi * i / kFieldSteps);
     const bool green = Sampler::usable(at) ? scene.sampler.classAt(at) == ColourClass::green
                                            : at.y > kCarpetFromRow;
     field += green ? 1 : 0;
@@ -80,18 +86,21 @@ double fieldAround(const Scene& scene, const BallCandidate& c) {
 // seen over it, on its colour. The shadow of a large ball may look blue, so there the wall must
 // show farther down.
 double goalBelow(const Scene& scene, const BallCandidate& c) {
-  constexpr double kLargeRadius = 8.0;  // px
-  const double start =
-      c.cone.radius < kLargeRadius ? c.cone.radius + 2.5 : 1.6 * c.cone.radius + 2.0;
+  constexpr double kLargeRadius = 8.0;                      // px
+  constexpr double kBelowSmall = 2.5;                       // px below the outline
+  constexpr double kBelowLarge = 1.6;                       // radii below the centre
+  constexpr std::array<double, 3> kFurther{0.0, 0.7, 1.5};  // radii
+  const double start = c.cone.radius < kLargeRadius ? c.cone.radius + kBelowSmall
+                                                    : kBelowLarge * c.cone.radius + kBlur;
   int goal = 0;
-  for (const double further : {0.0, 0.7, 1.5}) {
+  for (const double further : kFurther) {
     const double down = start + further * std::min(c.cone.radius, kLargeRadius);
     const PixelPoint at = around(scene, c, down, 0.5 * maths::kPi);
     if (!Sampler::usable(at)) break;
     const ColourClass colour = scene.sampler.classAt(at);
     goal += colour == ColourClass::blue || colour == ColourClass::yellow ? 1 : 0;
   }
-  return goal / 3.0;
+  return goal / static_cast<double>(kFurther.size());
 }
 
 double logOfPatch(const BallCandidate& c) {

@@ -57,9 +57,10 @@ Range fusedRange(const Scene& scene, const BallCandidate& c, const BallFinderPar
 // Of its centre, when its outline is whole.
 ElevationError elevationErrorOf(const Scene& scene, const BallCandidate& c,
                                 const BallFinderParams& p) {
-  constexpr double kShine = 2.0;  // of edgeSd: a highlight or a shadow moves the whole outline
+  constexpr double kShine = 2.0;       // of edgeSd: a highlight or a shadow moves the whole outline
+  constexpr double kMaxDescent = 0.8;  // sine, up to which the arcsine is nearly straight
   const double below = (scene.body.camera.position.z - body::kBallRadius) / c.range;
-  if (!isWhole(c) || below > 0.8) return {};
+  if (!isWhole(c) || below > kMaxDescent) return {};
   const double size = below * kShine * p.edgeSd / c.cone.radius;
   const double pixel = p.edgeSd / focalLength(scene);
   return {Angle::rad(ballElevationError(scene, c)), size * size + pixel * pixel};
@@ -109,12 +110,13 @@ bool looksLikeBall(const BallFacts& facts, const BallFinderParams& p, VisionCoun
 // Cheap forms of two checks, so that orange shirts do not use up the candidates.
 bool mayLieOnField(const Scene& scene, const Blob& blob, const BallFinderParams& p,
                    VisionCounts& counts) {
+  constexpr double kBoxSlack = 2.0;  // px, a lattice step that the blob's box may lack
   const PixelPoint lowest = scene.frame.toImage({blob.box.middle(), blob.box.bottom});
   if (belowHorizon(scene, lowest) < -p.maxAboveHorizon - rowSlack(scene)) {
     refuse(counts, Refusal::ballAboveHorizon);
     return false;
   }
-  if (belowFieldEdge(scene, lowest) < -p.maxAboveFieldEdge - 2.0) {
+  if (belowFieldEdge(scene, lowest) < -p.maxAboveFieldEdge - kBoxSlack) {
     refuse(counts, Refusal::ballAboveFieldEdge);
     return false;
   }

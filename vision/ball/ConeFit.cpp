@@ -54,17 +54,19 @@ bool solve(const Outline& outline, Kept kept, Ray& n) {
   }
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t r = c + 1; r < 3; ++r) columns[c][r] = columns[r][c];
+  constexpr double kMinDeterminant = 1e-12;
   const double whole = det(columns[0], columns[1], columns[2]);
-  if (!(whole > 1e-12)) return false;
+  if (!(whole > kMinDeterminant)) return false;
   n = {det(right, columns[1], columns[2]) / whole, det(columns[0], right, columns[2]) / whole,
        det(columns[0], columns[1], right) / whole};
   return true;
 }
 
 Cone coneOf(const Ray& n, const Lens& lens) {
+  constexpr double kMinForward = 0.1;  // of the axis: the ball is before the camera
   Cone cone;
   const double norm = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  if (!(norm > 1.0) || !(n[2] > 0.1)) return cone;
+  if (!(norm > 1.0) || !(n[2] > kMinForward)) return cone;
   cone.valid = true;
   cone.axis = {n[0] / norm, n[1] / norm, n[2] / norm};
   cone.sinHalf = std::sqrt(1.0 - 1.0 / (norm * norm));
@@ -90,10 +92,12 @@ double rmsOf(const Outline& outline, const Fit& fit) {
   return fit.cone.kept > 0 ? std::sqrt(sum / static_cast<double>(fit.cone.kept)) : 0.0;
 }
 
-// The points that offCone() puts near the cone, told by bounds of the cosine's square: a root and a
-// quotient for each point of each round took 60,000 of an image's 3 million cycles.
+// The points that offCone() puts near the cone, found by bounds of the cosine's square: a root and
+// a quotient for each point of each round took 60,000 of an image's 3 million cycles.
 Kept nearTo(const Outline& outline, const Cone& cone) {
-  const double limit = std::max(0.8, 0.07 * cone.radius);
+  constexpr double kMinLimit = 0.8;     // px
+  constexpr double kLimitShare = 0.07;  // of the radius
+  const double limit = std::max(kMinLimit, kLimitShare * cone.radius);
   const double perFocalLength = 1.0 / outline.lens.focalLength;
   const double outer = 1.0 + maths::square((cone.radius + limit) * perFocalLength);
   const double inner = 1.0 + maths::square(std::max(0.0, cone.radius - limit) * perFocalLength);
@@ -137,9 +141,10 @@ Fit refined(const Outline& outline, Kept kept, std::size_t min) {
 // in part, where the fit of all points lies between both outlines.
 Fit bestOfTriples(const Outline& outline) {
   constexpr std::size_t kMin = 5;  // a triple with no two others near its cone is no outline
+  constexpr std::array<std::size_t, 3> kGaps{2U, 3U, 5U};  // points, from one to the next
   Fit best;
   const std::size_t n = outline.rays.size();
-  for (const std::size_t gap : {2U, 3U, 5U}) {
+  for (const std::size_t gap : kGaps) {
     if (2 * gap >= n) break;
     for (std::size_t i = 0; i < n; ++i) {
       const Kept triple = bitOf(i) | bitOf((i + gap) % n) | bitOf((i + 2 * gap) % n);

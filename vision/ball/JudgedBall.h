@@ -14,6 +14,7 @@ struct JudgedBall {
   BallFacts facts;
   double logOddsAgainst = 0.0;
 };
-using JudgedBalls = FixedVector<JudgedBall, 16>;
+constexpr std::size_t kMaxJudgedBalls = 16;
+using JudgedBalls = FixedVector<JudgedBall, kMaxJudgedBalls>;
 
 }  // namespace kelpie::vision

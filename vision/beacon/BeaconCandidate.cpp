@@ -2,6 +2,7 @@
 #include "vision/beacon/BeaconCandidate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -26,10 +27,11 @@ bool isPartner(ColourClass c) { return c == ColourClass::blue || c == ColourClas
 // The band that follows past the edge of the one that `from` is in: a partner colour after pink,
 // pink after a partner colour. Up to two mixed pixels lie between.
 Band bandBeyond(const Scene& scene, PixelPoint from, ColourClass inside, ImageDirection direction) {
+  constexpr std::array<double, 2> kGaps{1.5, 2.5};  // px
   Band band;
   band.edge = walkToEdge(scene.sampler, {from, direction, inside, 1});
   if (band.edge.cut) return band;
-  for (const double gap : {1.5, 2.5}) {
+  for (const double gap : kGaps) {
     const PixelPoint start = moved(band.edge.point, direction, gap);
     if (!Sampler::usable(start)) return band;
     const ColourClass colour = scene.sampler.classAt(start);
@@ -69,16 +71,18 @@ Width better(const Width& a, const Width& b) {
 // Measures the width of both bands and of the white below, and moves the candidate's axis to its
 // middle.
 void measureWidth(const Scene& scene, BeaconCandidate& c) {
+  constexpr double kWhiteBands = 0.8;     // below the coloured ones
+  constexpr double kMinWhiteShare = 0.7;  // of the bands' width; something hides a narrower one
   const ImageDirection up = scene.frame.up();
   const PixelPoint high = moved(c.middle, up, 0.5 * c.upper);
   const PixelPoint low = moved(c.middle, up, -0.5 * c.lower);
-  const PixelPoint white = moved(c.bottom, up, -0.8 * c.lower);
+  const PixelPoint white = moved(c.bottom, up, -kWhiteBands * c.lower);
   const Width ofUpper = widthAt(scene, high, c.pinkIsLower ? c.partner : ColourClass::pink);
   const Width ofLower = widthAt(scene, low, c.pinkIsLower ? ColourClass::pink : c.partner);
   Width best = better(ofUpper, ofLower);
   if (c.onWhite && Sampler::usable(white) && scene.sampler.classAt(white) == ColourClass::white) {
     const Width foot = widthAt(scene, white, ColourClass::white);
-    if (foot.value >= 0.7 * best.value) best = better(best, foot);
+    if (foot.value >= kMinWhiteShare * best.value) best = better(best, foot);
   }
   c.width = best.value;
   c.widest = std::max(ofUpper.value, ofLower.value);
@@ -105,24 +109,29 @@ void forgetMergedEnds(BeaconCandidate& c, const BeaconFinderParams& p) {
 // Two of the ends of the coloured bands (40, 30 and 20 cm) that lie inside the image, as far apart
 // as possible.
 double measureDistance(const Scene& scene, const BeaconCandidate& c) {
+  constexpr double kMinSlope = 1e-4;  // between the ends
+  constexpr double kTooFar = 1e6;     // cm
   const CameraPose& camera = scene.body.camera;
   const double high = groundRayThrough(camera, c.topCut ? c.middle : c.top).slope;
   const double low = groundRayThrough(camera, c.bottomCut ? c.middle : c.bottom).slope;
   const double height = (c.topCut || c.bottomCut ? 1.0 : 2.0) * bandHeight(scene);
   // The front of the bands is measured, the percept is the axis.
-  return high - low > 1e-4 ? height / (high - low) + scene.field.beaconRadius : 1e6;
+  return high - low > kMinSlope ? height / (high - low) + scene.field.beaconRadius : kTooFar;
 }
 
 }  // namespace
 
-double bandHeight(const Scene& scene) { return 0.25 * scene.field.beaconHeight; }
+double bandHeight(const Scene& scene) {
+  constexpr double kBandShare = 0.25;
+  return kBandShare * scene.field.beaconHeight;
+}
 
 double bandOf(const BeaconCandidate& c) {
   return c.topCut ? c.lower : c.bottomCut ? c.upper : 0.5 * (c.upper + c.lower);
 }
 
 double elevationError(const Scene& scene, const BeaconCandidate& c) {
-  const double expected = (3.0 * bandHeight(scene) - scene.body.camera.position.z) /
+  const double expected = (kBandsBelowMiddle * bandHeight(scene) - scene.body.camera.position.z) /
                           (c.distance - scene.field.beaconRadius);
   return maths::atan(groundRayThrough(scene.body.camera, c.middle).slope) - maths::atan(expected);
 }

@@ -2,6 +2,7 @@
 #include "vision/beacon/BeaconFacts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "vision/LogOdds.h"
@@ -9,15 +10,21 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kFarFoot = 4.0;     // bands
-constexpr double kFirstWhite = 0.2;  // bands below the coloured ones, past the mixed pixels
-constexpr double kWhiteBands = 1.9;  // below the coloured ones, less the blur of the last
-constexpr double kFootBands = 3.2;   // below the coloured ones the carpet has begun
-constexpr double kFootPixels = 5.0;  // and so many pixels more
-constexpr double kProbeStep = 0.5;   // px
-constexpr double kBlurBeside = 2.0;  // px beside a band whose colours may be mixed
+constexpr double kFarFoot = 4.0;       // bands
+constexpr double kFirstWhite = 0.2;    // bands below the coloured ones, past the mixed pixels
+constexpr double kWhiteBands = 1.9;    // below the coloured ones, less the blur of the last
+constexpr double kFootBands = 3.2;     // below the coloured ones the carpet has begun
+constexpr double kFootPixels = 5.0;    // and so many pixels more
+constexpr double kProbeStep = 0.5;     // px
+constexpr double kBlurBeside = 2.0;    // px beside a band whose colours may be mixed
+constexpr double kBesideShare = 0.25;  // of a band's width, how far beside it its colour is sought
+constexpr double kFirstStrange = 0.7;  // bands below the coloured ones, where the count begins
+constexpr double kMinLength = 0.5;     // px, so that a ratio stays finite
+constexpr double kUnknownWhite = 0.5;  // share, where none of it is in the image
 
-double logRatio(double a, double b) { return logOfRatio(std::max(a, 0.5) / std::max(b, 0.5)); }
+double logRatio(double a, double b) {
+  return logOfRatio(std::max(a, kMinLength) / std::max(b, kMinLength));
+}
 
 struct Tally {
   int all = 0;
@@ -52,7 +59,8 @@ double whiteShows(const Tally& white, const BeaconCandidate& c) {
 double footBelowEdge(const Scene& scene, const BeaconCandidate& c) {
   if (scene.fieldEdges.empty()) return 0.0;
   const double band = std::max(bandOf(c), 1.0);
-  const double below = belowFieldEdge(scene, moved(c.middle, scene.frame.up(), -3.0 * bandOf(c)));
+  const double below =
+      belowFieldEdge(scene, moved(c.middle, scene.frame.up(), -kBandsBelowMiddle * bandOf(c)));
   return maths::clamp(below / band, -kFarFoot, kFarFoot);
 }
 
@@ -67,7 +75,7 @@ double strangeBelow(const Scene& scene, const BeaconCandidate& c) {
   const double band = std::max(bandOf(c), 1.0);
   int strange = 0;
   int longest = 0;
-  for (double down = 0.7 * band; down < kFootBands * band + kFootPixels; down += 1.0) {
+  for (double down = kFirstStrange * band; down < kFootBands * band + kFootPixels; down += 1.0) {
     const PixelPoint at = moved(c.bottom, scene.frame.up(), -down);
     if (!Sampler::usable(at)) break;
     const ColourClass colour = scene.sampler.classAt(at);
@@ -93,8 +101,10 @@ PixelPoint pointOf(const Scene& scene, const BandPoints& band, double along, dou
 }
 
 void countFilled(const Scene& scene, const BandPoints& band, Tally& tally) {
-  for (const double along : {0.2, 0.4, 0.6, 0.8}) {
-    for (const double across : {-0.36, -0.18, 0.0, 0.18, 0.36}) {
+  constexpr std::array<double, 4> kAlong{0.2, 0.4, 0.6, 0.8};              // of the height
+  constexpr std::array<double, 5> kAcross{-0.36, -0.18, 0.0, 0.18, 0.36};  // of the width
+  for (const double along : kAlong) {
+    for (const double across : kAcross) {
       const PixelPoint at = pointOf(scene, band, along, across * band.width);
       if (Sampler::usable(at)) tally.count(scene.sampler.classAt(at) == band.colour);
     }
@@ -102,8 +112,9 @@ void countFilled(const Scene& scene, const BandPoints& band, Tally& tally) {
 }
 
 void countBeside(const Scene& scene, const BandPoints& band, Tally& tally) {
-  const double lateral = 0.5 * band.width + std::max(kBlurBeside, 0.25 * band.width);
-  for (const double along : {0.25, 0.5, 0.75}) {
+  constexpr std::array<double, 3> kAlong{0.25, 0.5, 0.75};  // of the height
+  const double lateral = 0.5 * band.width + std::max(kBlurBeside, kBesideShare * band.width);
+  for (const double along : kAlong) {
     for (const double across : {-lateral, lateral}) {
       const PixelPoint at = pointOf(scene, band, along, across);
       if (Sampler::usable(at)) tally.count(scene.sampler.classAt(at) == band.colour);
@@ -140,7 +151,7 @@ BeaconFacts beaconFacts(const Scene& scene, const BeaconCandidate& c) {
   facts.elevationError = std::fabs(Angle::rad(error).deg());
   facts.belowHorizon =
       belowHorizon(scene, c.middle) + focalLength(scene) * (elevationError(scene, c) - error);
-  facts.whiteShare = white.share(0.5);
+  facts.whiteShare = white.share(kUnknownWhite);
   facts.whiteShows = whiteShows(white, c);
   facts.edgeShows = flag(!scene.fieldEdges.empty());
   facts.footBelowEdge = footBelowEdge(scene, c);

@@ -64,7 +64,8 @@ class RunCursor {
   }
 
  private:
-  static int place(int row, int column) { return 256 * row + column; }
+  static constexpr int kRowStride = 256;  // more than columns fit a run's byte
+  static int place(int row, int column) { return kRowStride * row + column; }
 
   const Run* at_;
   const Run* end_;

@@ -18,7 +18,8 @@ struct BeaconFoot {
   int samples = 0;
 };
 
-using BeaconFeet = ScratchVector<BeaconFoot, 64>;
+constexpr std::size_t kMaxBeaconFeet = 64;
+using BeaconFeet = ScratchVector<BeaconFoot, kMaxBeaconFeet>;
 BeaconFeet findBeaconFeet(const Scene& scene);
 
 }  // namespace kelpie::vision

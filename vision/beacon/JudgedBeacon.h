@@ -14,6 +14,7 @@ struct JudgedBeacon {
   BeaconFacts facts;
   double logOddsAgainst = 0.0;
 };
-using JudgedBeacons = FixedVector<JudgedBeacon, 16>;
+constexpr std::size_t kMaxJudgedBeacons = 16;
+using JudgedBeacons = FixedVector<JudgedBeacon, kMaxJudgedBeacons>;
 
 }  // namespace kelpie::vision
