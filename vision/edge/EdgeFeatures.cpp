@@ -28,8 +28,8 @@ bool carpetBegins(const LineClasses& classes, const ScanLine& line, int step,
   return true;
 }
 
-// How many steps from this one on begin no carpet, told by the last samples of its window: when so
-// many of them are not green as no window may miss, each window from here to there holds them.
+// How many steps from this one on begin no carpet, judged by the last samples of its window: when
+// so many of them are not green as no window may miss, each window from here to there holds them.
 int surelyBefore(const LineClasses& classes, const ScanLine& line, int step,
                  const FieldEdgeParams& params) {
   const auto whole = static_cast<int>(params.window);

@@ -77,8 +77,10 @@ void sortForDrawing(const EdgeEvidence& evidence, Pool& pool) {
             });
 }
 
-constexpr std::uint32_t kFirstPool = 6;  // features to draw from in the first round; 3 more in each
-constexpr int kMinGap = 4;               // scan lines between two points, if possible
+constexpr std::uint32_t kFirstPool = 6;   // features to draw from in the first round,
+constexpr std::uint32_t kPoolGrowth = 3;  // and more in each
+constexpr int kMinGap = 4;                // scan lines between two points, if possible
+constexpr int kMaxDraws = 5;              // of the second point for such a gap
 
 struct Pair {
   std::uint8_t a = 0;
@@ -87,10 +89,10 @@ struct Pair {
 
 Pair drawn(EdgeSearch& search, const Pool& pool, int round) {
   const std::uint32_t reach =
-      std::min(pool.count, kFirstPool + 3U * static_cast<std::uint32_t>(round));
+      std::min(pool.count, kFirstPool + kPoolGrowth * static_cast<std::uint32_t>(round));
   Pair pair;
   pair.a = pool.indices[search.random.index(reach)];
-  for (int again = 0; again < 5; ++again) {
+  for (int again = 0; again < kMaxDraws; ++again) {
     pair.b = pool.indices[search.random.index(reach)];
     if (std::abs(pair.a - pair.b) >= kMinGap) break;
   }
@@ -98,6 +100,7 @@ Pair drawn(EdgeSearch& search, const Pool& pool, int round) {
 }
 
 constexpr double kRefineAboveShare = 0.8;   // of the best score so far
+constexpr double kFirstWidth = 2.0;         // tolerances, while the line may be off at its far end
 constexpr double kStopAtScoreShare = 0.75;  // of the most that the free features could give
 
 // The best outline of the known lines and one more, through features of the pool; `known` as it is
@@ -116,7 +119,7 @@ Outline withOneMore(EdgeSearch& search, const Outline& known, Pool pool, double 
         lineThrough(evidence.features[pair.a].at, evidence.features[pair.b].at, evidence.frame));
     now.score = scoreOf(evidence, now.lines);
     if (found && now.score < kRefineAboveShare * best.score) continue;
-    refine(evidence, 2.0, now);
+    refine(evidence, kFirstWidth, now);
     if (found && now.score <= best.score) continue;
     found = true;
     best = now;
@@ -129,6 +132,7 @@ Outline withOneMore(EdgeSearch& search, const Outline& known, Pool pool, double 
 constexpr double kBendHint = 0.5;   // of the ratio, before outliers nearby are sorted out
 constexpr double kBendBand = 2.0;   // tolerances to both sides in which a bend is looked for
 constexpr std::size_t kMinArm = 3;  // features on each arm
+constexpr double kNoBend = 1e12;    // px^2, more than any two lines leave
 
 using Indices = ScratchVector<std::uint8_t, kMaxScanLines>;
 
@@ -154,7 +158,7 @@ Bend bestBend(const EdgeFeatures& features, const Indices& near) {
     before[k] = left.leastSquares();
   }
   EdgeMoments right;
-  Bend best{0, 1e12, before[near.size() - 1]};
+  Bend best{0, kNoBend, before[near.size() - 1]};
   for (std::size_t k = near.size() - 1; k >= kMinArm; --k) {
     right.add(features[near[k]].at, features[near[k]].weight);
     const double squares = before[k - 1] + right.leastSquares();
@@ -177,7 +181,7 @@ Outline bent(const EdgeEvidence& evidence, const EdgeLines& known, std::size_t w
       near.push_back(static_cast<std::uint8_t>(i));
   }
   if (near.size() < 2 * kMinArm) return outline;
-  // A straight line, as most are: not worth a refit, nor even a look for where it might bend.
+  // A straight line, as most are: it needs no refit, nor a search for where it might bend.
   const auto count = static_cast<double>(near.size());
   const double hint = kBendHint * evidence.params.minBendRatio;
   if (straightSquares(evidence.features, near) < hint * kMinNoise) return outline;

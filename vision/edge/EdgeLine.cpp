@@ -42,6 +42,8 @@ Spread spreadOf(const EdgeMoments& m) {
           m.yy / m.n - mean.y * mean.y};
 }
 
+constexpr double kMinNorm = 1e-9;  // a shorter vector has no direction: all points are one
+
 double dot(const Point3<Camera>& a, const Point3<Camera>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -52,7 +54,7 @@ EdgeLine lineThrough(PixelPoint a, PixelPoint b, const HorizonFrame& frame) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   const double norm = std::sqrt(dx * dx + dy * dy);
-  if (!(norm > 1e-9)) return oriented(frame.up().dx, frame.up().dy, a, frame);
+  if (!(norm > kMinNorm)) return oriented(frame.up().dx, frame.up().dy, a, frame);
   return oriented(dy / norm, -dx / norm, a, frame);
 }
 
@@ -66,7 +68,7 @@ EdgeLine lineOf(const EdgeMoments& m, const HorizonFrame& frame) {
   const double nx = a > b ? -s.xy : b;
   const double ny = a > b ? a : -s.xy;
   const double norm = std::sqrt(nx * nx + ny * ny);
-  if (!(norm > 1e-9)) return oriented(frame.up().dx, frame.up().dy, s.mean, frame);
+  if (!(norm > kMinNorm)) return oriented(frame.up().dx, frame.up().dy, s.mean, frame);
   return oriented(nx / norm, ny / norm, s.mean, frame);
 }
 

@@ -8,6 +8,7 @@ namespace kelpie::vision {
 namespace {
 
 EdgeLines refitted(const EdgeEvidence& evidence, const EdgeLines& lines, double tolerance) {
+  constexpr double kMinFeatures = 2.0;  // weighted, that make a line
   std::array<EdgeMoments, EdgeLines::kCapacity> moments;
   for (const EdgeFeature& f : evidence.features) {
     const EdgePlace place = placeOf(lines, f.at);
@@ -15,7 +16,7 @@ EdgeLines refitted(const EdgeEvidence& evidence, const EdgeLines& lines, double 
   }
   EdgeLines better = lines;
   for (std::size_t i = 0; i < lines.size(); ++i)
-    if (moments[i].n >= 2.0) better[i] = lineOf(moments[i], evidence.frame);
+    if (moments[i].n >= kMinFeatures) better[i] = lineOf(moments[i], evidence.frame);
   return better;
 }
 

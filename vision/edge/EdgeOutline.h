@@ -12,9 +12,11 @@ namespace kelpie::vision {
 
 using EdgeLines = FixedVector<EdgeLine, 3>;
 
+constexpr double kNoScore = -1e6;  // less than any outline's
+
 struct Outline {
   EdgeLines lines;
-  double score = -1e6;  // in inliers
+  double score = kNoScore;  // in inliers
 };
 
 // How far a point is off the carpet, and the edge that says so. There must be an edge.

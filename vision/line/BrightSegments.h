@@ -57,7 +57,8 @@ struct BrightSegment {
   double paint = 0.0;  // px covered by paint: brightness above the carpet over that of full paint
   double middle() const { return 0.5 * (from + to); }
 };
-using BrightSegments = ScratchVector<BrightSegment, 32>;
+constexpr std::size_t kMaxBrightSegments = 32;  // of a grid line
+using BrightSegments = ScratchVector<BrightSegment, kMaxBrightSegments>;
 
 // In place of those that `found` held: a list of its own for each grid line was a fifth of what all
 // finders wrote.
@@ -73,7 +74,8 @@ struct RisingEdge {
   double foot = 0.0;   // where the brightness is half-way
   double level = 0.0;  // the brightness there
 };
-using RisingEdges = ScratchVector<RisingEdge, 32>;
+constexpr std::size_t kMaxRisingEdges = 32;  // of a grid line
+using RisingEdges = ScratchVector<RisingEdge, kMaxRisingEdges>;
 RisingEdges risingEdges(const Sampler& sampler, const GridLine& gridLine,
                         const LinePointParams& params);
 

@@ -197,7 +197,8 @@ std::optional<GroundWidth> widthOnGround(const CameraPose& camera, const LineCan
   const Point2<Robot> across = *to - *from;
   const double length = along.norm();
   const double pixels = c.segment.to - c.segment.from;
-  if (length < 1e-6 || pixels < 1e-6) return std::nullopt;
+  constexpr double kMinLength = 1e-6;  // cm and px
+  if (length < kMinLength || pixels < kMinLength) return std::nullopt;
   const double perPixel = std::fabs(along.x * across.y - along.y * across.x) / (length * pixels);
   return GroundWidth{perPixel, perPixel * c.segment.paint, widthDoubt(camera, *from)};
 }

@@ -46,7 +46,8 @@ Estimate bySize(const Scene& scene, const PinkPatch& patch, const PinkFinderPara
                                          scene.frame.beside(patch.centre, 0.0, patch.extent.upper));
   const GroundRay bottom = groundRayThrough(
       scene.body.camera, scene.frame.beside(patch.centre, 0.0, -patch.extent.lower));
-  if (top.slope - bottom.slope < 1e-3) return {};
+  constexpr double kMinSlope = 1e-3;  // between its edges
+  if (top.slope - bottom.slope < kMinSlope) return {};
   const double d = p.knownHeight / (top.slope - bottom.slope);
   return {d, maths::square(sizeSd(scene.body.camera, d, p.knownHeight, p.edgeSd))};
 }
@@ -74,7 +75,7 @@ bool check(bool keep, Refusal reason, VisionCounts& counts) {
   return keep;
 }
 
-// What can be told before its edges and its foot are looked for.
+// What can be checked before its edges and its foot are looked for.
 bool mayBePatch(const Scene& scene, const PinkPatch& patch, const Landmarks& landmarks,
                 const PinkFinderParams& p, VisionCounts& counts) {
   return check(pinkIsLarge(patch, p), Refusal::pinkTooSmall, counts) &&

@@ -34,7 +34,8 @@ bool pinkIsLow(const Scene& scene, const PinkPatch& patch, const PinkFinderParam
 bool pinkIsInsideFieldEdge(const PinkPatch& patch, const PinkFinderParams& p);
 bool pinkStandsOnGround(const PinkPatch& patch, const PinkFinderParams& p);
 
-using PinkPatches = FixedVector<PinkPercept, 8>;
+constexpr std::size_t kMaxPinkPatches = 8;
+using PinkPatches = FixedVector<PinkPercept, kMaxPinkPatches>;
 void findPinkPatches(const Scene& scene, const Landmarks& landmarks, const PinkFinderParams& params,
                      VisionCounts& counts, PinkPatches& patches);
 

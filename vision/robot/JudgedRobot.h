@@ -14,6 +14,7 @@ struct JudgedRobot {
   RobotFacts facts;
   double logOddsAgainst = 0.0;
 };
-using JudgedRobots = FixedVector<JudgedRobot, 8>;
+constexpr std::size_t kMaxJudgedRobots = 8;
+using JudgedRobots = FixedVector<JudgedRobot, kMaxJudgedRobots>;
 
 }  // namespace kelpie::vision

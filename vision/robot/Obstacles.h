@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dark and grey pixels on the carpet along scan lines up the image: feet and shadows of robots,
 // referees' shoes. No objects are made of them. A white robot's body gives none; its grey legs, and
-// what lies in its shadow, do. What is dark or grey is told by the carpet that the same line saw
-// just below: a fixed grey took a dark carpet for obstacles.
+// what lies in its shadow, do. What is dark or grey is measured against the carpet that the same
+// line saw just below: a fixed grey took a dark carpet for obstacles.
 #pragma once
 
 #include "robot/core/ScratchVector.h"
@@ -12,7 +12,8 @@
 
 namespace kelpie::vision {
 
-using ObstaclePoints = ScratchVector<ObstaclePoint, 64>;
+constexpr std::size_t kMaxObstaclePoints = 64;
+using ObstaclePoints = ScratchVector<ObstaclePoint, kMaxObstaclePoints>;
 
 struct Obstacles {
   ObstaclePoints points;    // the lowest of each scan line

@@ -23,7 +23,7 @@ bool check(bool keep, Refusal reason, VisionCounts& counts) {
   return keep;
 }
 
-// What can be told before the foot is looked for.
+// What can be checked before the foot is looked for.
 bool mayBePatch(const Scene& scene, const RobotPatch& patch, const RobotFinderParams& p,
                 VisionCounts& counts) {
   return check(robotPatchHasColour(patch, p), Refusal::robotOtherColour, counts) &&
@@ -102,10 +102,11 @@ RobotFacts factsOf(const PatchGroup& group) {
 }
 
 double distanceSd(const Scene& scene, const PatchGroup& group, const RobotFinderParams& p) {
+  constexpr double kCutSd = 0.4;  // of the distance, of a robot whose feet the image cuts
   const CameraPose& camera = scene.body.camera;
   const double above = camera.position.z;
   const double d = group.distance;
-  if (group.cut) return 0.4 * d;
+  if (group.cut) return kCutSd * d;
   const double direction =
       maths::hypot(maths::hypot(p.directionSd.rad(), p.edgeSd / focalLength(scene)),
                    elevationDoubt(camera, groundRayThrough(camera, group.centre)).sd);
@@ -113,6 +114,7 @@ double distanceSd(const Scene& scene, const PatchGroup& group, const RobotFinder
 }
 
 RobotPercept perceptOf(const Scene& scene, const PatchGroup& group, const RobotFinderParams& p) {
+  constexpr double kMinDistance = 10.0;  // cm
   const double lateral = 0.5 * (group.left + group.right) - scene.frame.along(group.centre);
   const PixelPoint middle = moved(group.centre, scene.frame.right(), lateral);
   const GroundRay ray = groundRayThrough(scene.body.camera, middle);
@@ -123,7 +125,7 @@ RobotPercept perceptOf(const Scene& scene, const PatchGroup& group, const RobotF
   robot.heading = bearing(place);
   robot.elevation = Angle::rad(maths::atan(ray.slope));
   robot.distanceVariance = maths::square(distanceSd(scene, group, p));
-  robot.headingVariance = maths::square(p.headingSd / std::max(robot.distance, 10.0));
+  robot.headingVariance = maths::square(p.headingSd / std::max(robot.distance, kMinDistance));
   robot.box = group.box;
   return robot;
 }
@@ -145,14 +147,16 @@ PatchGroup groupOf(const RobotPatch& patch, const HorizonFrame& frame) {
 }
 
 bool areOfOneRobot(const PatchGroup& a, const PatchGroup& b, const RobotFinderParams& p) {
+  constexpr double kLengthSlack = 2.0;  // px
+  constexpr double kDepthSlack = 5.0;   // cm
   if (a.team != b.team) return false;
   const double scale = std::max(a.scale, b.scale);
   const double gap = std::max(a.left, b.left) - std::min(a.right, b.right);
   const double length = std::max(a.right, b.right) - std::min(a.left, b.left);
   const double near = std::min(a.distance, b.distance);
   const double far = std::max(a.distance, b.distance);
-  return gap <= p.maxGap * scale && length <= p.maxLength * scale + 2.0 &&
-         far <= p.maxDepthRatio * near + 5.0;
+  return gap <= p.maxGap * scale && length <= p.maxLength * scale + kLengthSlack &&
+         far <= p.maxDepthRatio * near + kDepthSlack;
 }
 
 // The nearest leg of all decides the distance, but feet in the image count more than feet cut off.

@@ -34,7 +34,8 @@ PatchGroup joined(const PatchGroup& larger, const PatchGroup& other);
 // The trunk's patch may be too dubious to be a robot by itself, but it tells how near that one is.
 PatchGroup nearer(const PatchGroup& group, const PatchGroup& part);
 
-using Robots = FixedVector<RobotPercept, 8>;
+constexpr std::size_t kMaxRobotPercepts = 8;
+using Robots = FixedVector<RobotPercept, kMaxRobotPercepts>;
 void findRobots(const Scene& scene, const RobotFinderParams& params, VisionCounts& counts,
                 Robots& robots, JudgedRobots& judged);
 

@@ -14,27 +14,30 @@ namespace {
 constexpr int kFirstColumns = 3;
 constexpr int kFootColumns = 11;
 constexpr int kRingPoints = 16;
-constexpr double kBeside = 20.0;  // cm from a foot: beyond the robot's other legs, 15 cm away
+constexpr double kSizeSlack = 2.0;  // px, by which a patch may seem too large
+constexpr double kBeside = 20.0;    // cm from a foot: beyond the robot's other legs, 15 cm away
 
 ColourClass colourOf(TeamColour team) {
   return team == TeamColour::red ? ColourClass::robotRed : ColourClass::robotBlue;
 }
 
 double scaleAt(const Scene& scene, double distance, double height) {
+  constexpr double kMinRange = 5.0;  // cm
   const double range = maths::hypot(distance, scene.body.camera.position.z - height);
-  return focalLength(scene) / std::max(range, 5.0);
+  return focalLength(scene) / std::max(range, kMinRange);
 }
 
 // For a robot whose feet the image border cuts: by the height above the ground and the size that
 // patches have, and nearer than what the border shows of the ground.
 double distanceWithoutFoot(const Scene& scene, const RobotPatch& patch,
                            const RobotFinderParams& p) {
+  constexpr double kMinDescent = 0.02;  // slope; a flatter ray tells no distance
   const double bySize =
       focalLength(scene) * p.patchSize / (patch.extent.upper + patch.extent.lower);
   const double farthest = std::min(patch.foot.distance, bySize);
   const double slope = groundRayThrough(scene.body.camera, patch.centre).slope;
   const double below = scene.body.camera.position.z - p.patchHeight;
-  if (slope > -0.02 || below < 1.0) return farthest;
+  if (slope > -kMinDescent || below < 1.0) return farthest;
   return std::min(-below / slope, farthest);
 }
 
@@ -98,17 +101,19 @@ bool isForeign(ColourClass c, TeamColour team) {
 
 // White and grey of the shell, and colours that a uniform does not wear, on a ring round the patch.
 void measureRing(const Scene& scene, RobotPatch& patch) {
+  constexpr double kRing = 1.2;     // of the extent, and so many
+  constexpr double kOutside = 2.0;  // px farther, past the mixed ones
   int shell = 0;
   int foreign = 0;
   int seen = 0;
   for (int i = 0; i < kRingPoints; ++i) {
     const auto direction = maths::sinCos(2.0 * maths::kPi * i / kRingPoints);
     const double x =
-        direction.cos * 1.2 * (direction.cos > 0.0 ? patch.extent.right : patch.extent.left);
+        direction.cos * kRing * (direction.cos > 0.0 ? patch.extent.right : patch.extent.left);
     const double y =
-        direction.sin * 1.2 * (direction.sin > 0.0 ? patch.extent.upper : patch.extent.lower);
-    const PixelPoint at =
-        scene.frame.beside(patch.centre, x + 2.0 * direction.cos, y + 2.0 * direction.sin);
+        direction.sin * kRing * (direction.sin > 0.0 ? patch.extent.upper : patch.extent.lower);
+    const PixelPoint at = scene.frame.beside(patch.centre, x + kOutside * direction.cos,
+                                             y + kOutside * direction.sin);
     if (!Sampler::usable(at)) continue;
     const ColourClass c = scene.sampler.classAt(at);
     shell += c == ColourClass::white || c == ColourClass::grey ? 1 : 0;
@@ -121,9 +126,10 @@ void measureRing(const Scene& scene, RobotPatch& patch) {
 
 // Red clothes are pink and orange by turns, dark ones blue.
 double ownShare(const Scene& scene, const RobotPatch& patch) {
+  constexpr double kSamplesWide = 24.0;  // px for each lattice step that the samples are apart
   int own = 0;
   int foreign = 0;
-  const double step = kLatticeStep * (1.0 + std::floor(patch.levelBox.width() / 24.0));
+  const double step = kLatticeStep * (1.0 + std::floor(patch.levelBox.width() / kSamplesWide));
   for (double v = patch.levelBox.top + 0.5; v < patch.levelBox.bottom; v += step) {
     for (double u = patch.levelBox.left + 0.5; u < patch.levelBox.right; u += step) {
       const PixelPoint at = scene.frame.toImage({u, v});
@@ -229,9 +235,9 @@ bool robotPatchHasSize(const RobotPatch& patch, const RobotFinderParams& p) {
   const double farthest = patch.scale / distanceRatio(patch);
   if (cut && patch.extent.height() + 1.0 < p.minCutPatch * farthest) return false;
   return patch.extent.width() + 1.0 >= p.minPatchWidth * farthest &&
-         patch.extent.width() <= p.maxPatchWidth * nearest + 2.0 &&
-         patch.extent.height() <= p.maxPatchHeight * nearest + 2.0 &&
-         patch.extent.height() <= p.maxTall * patch.extent.width() + 2.0;
+         patch.extent.width() <= p.maxPatchWidth * nearest + kSizeSlack &&
+         patch.extent.height() <= p.maxPatchHeight * nearest + kSizeSlack &&
+         patch.extent.height() <= p.maxTall * patch.extent.width() + kSizeSlack;
 }
 
 // In speckled clothes the way from the centre to the edge ends far too soon for so many samples.
@@ -255,7 +261,8 @@ bool robotPatchIsClean(const RobotPatch& patch, const RobotFinderParams& p) {
 
 bool robotPatchTellsDistance(const RobotPatch& patch, const RobotFinderParams& p) {
   return patch.foot.end != FootEnd::hidden && patch.samples >= p.partSamples &&
-         heightMayBe(patch, p) && patch.extent.width() <= p.maxPatchWidth * patch.scale + 2.0;
+         heightMayBe(patch, p) &&
+         patch.extent.width() <= p.maxPatchWidth * patch.scale + kSizeSlack;
 }
 
 bool robotHasShell(const RobotPatch& patch, const RobotFinderParams& p) {
