@@ -24,7 +24,7 @@ def show(value):
 
 def decide_of_pc():
     sys.dont_write_bytecode = True
-    sys.path[:0] = [str(ROOT / "tests/py"), str(ROOT / "behaviour"),
+    sys.path[:0] = [str(ROOT / "tests/py"), str(ROOT / "behaviour/interpreter"),
                     str(ROOT / "build/host/generated/python")]
     import guard
     import kelpie
