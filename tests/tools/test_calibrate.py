@@ -47,7 +47,7 @@ def test_ring_table_from_a_folder_of_sheets_says_where_it_came_from(sheets, tmp_
     assert "ring table" in shown and "3 sheets" in shown and "my lab" in shown
 
 
-def test_a_ring_table_that_helps_is_told_without_a_warning(sheets, tmp_path):
+def test_a_ring_table_that_helps_is_reported_without_a_warning(sheets, tmp_path):
     for i, planes in enumerate(sheets):
         (tmp_path / f"{i}.yuv").write_bytes(planes)
     result = kelpie("calibrate", "ring", tmp_path, "--out", tmp_path / "ring.kt")
@@ -72,7 +72,7 @@ def test_a_ring_table_worse_than_none_is_written_with_a_warning_of_levels(tmp_pa
 
 
 @pytest.mark.skipif(not GENUINE.is_dir(), reason="../shared/data is not there: no genuine frames")
-def test_three_busy_frames_teach_a_worse_table_than_2006_and_it_is_told(tmp_path):
+def test_three_busy_frames_teach_a_worse_table_than_2006_and_it_is_reported(tmp_path):
     result = kelpie("calibrate", "ring", GENUINE, "--surface", "--prior", "0.05", "--out",
                     tmp_path / "ring.kt")
     assert result.returncode == 0 and (tmp_path / "ring.kt").is_file()
@@ -158,7 +158,7 @@ SHIFT = ("date,dog,mac_low4,base_dog,paper,y_dog,y_base_mean,u_dog,u_base_mean,v
     (SHIFT + SHIFT.splitlines()[1].replace(",", ";").replace(".", ","), ":3: 4 columns"),
     (SHIFT.replace("157.2", '"157,2"'), ":2: 12 columns, expected 11; "),
 ])
-def test_a_decimal_comma_is_told_with_its_line_and_what_to_write(text, reported, tmp_path):
+def test_a_decimal_comma_is_reported_with_its_line_and_what_to_write(text, reported, tmp_path):
     sheet = tmp_path / "pairs.csv"
     sheet.write_text(text)
     for words in (("shift", sheet), ("ring", "none", "--shift", sheet, "--robot", "r1", "--out",
@@ -167,13 +167,13 @@ def test_a_decimal_comma_is_told_with_its_line_and_what_to_write(text, reported,
         assert f"pairs.csv{reported}" in line and POINT in line
 
 
-def test_a_sheet_of_semicolons_is_told_at_its_header(tmp_path):
+def test_a_sheet_of_semicolons_is_reported_at_its_header(tmp_path):
     (tmp_path / "pairs.csv").write_text(SHIFT.replace(",", ";").replace(".", ","))
     line = complaint(kelpie("calibrate", "shift", tmp_path / "pairs.csv"))
     assert "pairs.csv:1: the header must be" in line and "decimal point" in line
 
 
-def test_a_decimal_comma_among_labelled_pixels_is_told(tmp_path):
+def test_a_decimal_comma_among_labelled_pixels_is_reported(tmp_path):
     (tmp_path / "l.csv").write_text("Y,Cr,Cb,class\n82,121,167,blue\n82,5,121,167,blue\n")
     result = kelpie("calibrate", "colour", tmp_path / "l.csv", "--out", tmp_path / "c.kt")
     assert result.returncode == 2 and "l.csv:3: 5 columns, expected 4; " in complaint(result)

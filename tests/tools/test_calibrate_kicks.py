@@ -48,7 +48,7 @@ def test_a_map_is_python_with_every_outcome_of_six_numbers(tmp_path, kick_table)
     assert set(names["HELD"]) == {k for k in kick_table.kicks(True) if k not in kick_table.LEFT_OF}
 
 
-def test_an_interrupt_is_told_in_one_line_and_leaves_the_file_as_it_was(tmp_path):
+def test_an_interrupt_is_reported_in_one_line_and_leaves_the_file_as_it_was(tmp_path):
     out = tmp_path / "map.py"
     out.write_text("# of before\n")
     with subprocess.Popen([BIN / "kelpie", "calibrate", "kicks", "--out", out],
@@ -61,7 +61,7 @@ def test_an_interrupt_is_told_in_one_line_and_leaves_the_file_as_it_was(tmp_path
     assert out.read_text() == "# of before\n"
 
 
-def test_a_place_that_cannot_be_written_is_told_at_once():
+def test_a_place_that_cannot_be_written_is_reported_at_once():
     result = kelpie("calibrate", "kicks", "--out", "/nowhere/map.py")
     assert result.returncode == 2 and "cannot be written" in complaint(result)
 

@@ -167,7 +167,7 @@ def figures_of(tmp_path, name, trials, seed):
     return json.loads(figures.read_text())
 
 
-def test_a_lying_ball_lies_and_the_end_of_a_rolling_one_is_foretold(tmp_path):
+def test_a_lying_ball_lies_and_the_end_of_a_rolling_one_is_predicted(tmp_path):
     values = figures_of(tmp_path, "ball", 40, 17)
     assert values["still_speed_cm_s"] < 2 and values["still_speed_p95_cm_s"] < 2
     assert values["stop_cm"] < 10
@@ -259,7 +259,7 @@ def test_an_agent_without_a_world_keeps_the_log_that_is_there(tmp_path):
     assert (tmp_path / "a.mcap").read_bytes() == b"precious"
 
 
-def test_a_cut_recording_is_told_after_its_last_whole_event(match, tmp_path):
+def test_a_cut_recording_is_reported_after_its_last_whole_event(match, tmp_path):
     cut = tmp_path / "cut.mcap"
     cut.write_bytes(match.read_bytes()[:1_000_000])
     result = agent("--recording", cut, "--log", tmp_path / "again.mcap")
@@ -443,7 +443,7 @@ def test_what_was_there_survives_a_full_disk(match, tmp_path):
     assert sorted(tmp_path.iterdir()) == sorted(out.values())
 
 
-def test_what_cannot_be_written_is_told_before_the_measurement(tmp_path):
+def test_what_cannot_be_written_is_reported_before_the_measurement(tmp_path):
     for words in (["evaluate", "localise", "--json"], ["replay", "no.mcap", "--jsonl"],
                   ["bench", "no.mcap", "--json"]):
         for out in (tmp_path / "none" / "f.json", tmp_path):

@@ -129,7 +129,7 @@ def test_a_controller_outside_rules_a_match_from_ready_to_finished(team, tmp_pat
     assert kelpie("replay", log, "--check", "--pycode", team).returncode == 0
 
 
-def test_what_is_no_packet_is_told_once_and_changes_nothing(team, tmp_path, port):
+def test_what_is_no_packet_is_reported_once_and_changes_nothing(team, tmp_path, port):
     play = started(team, tmp_path / "out", port, seconds="4")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
         while play.poll() is None:

@@ -82,7 +82,7 @@ def test_so_does_one_of_another_robot(scripts, tmp_path):
     assert "the opponent blue 1: behaviour: " in complaint(result)
 
 
-def test_a_script_that_eats_memory_is_told_once_and_the_robot_stands(scripts, tmp_path):
+def test_a_script_that_eats_memory_is_reported_once_and_the_robot_stands(scripts, tmp_path):
     folder = scripts(EVERY_FRAME.format(does="if 1.0 < world.time_s < 2.0: x = [0] * 10 ** 9"))
     result = played(folder, tmp_path / "out")
     assert "(seed 1, 4.0 simulated seconds" in result.stdout, result.stderr

@@ -91,7 +91,7 @@ def test_outputs_come_from_the_behaviours_given(log, tmp_path):
     assert result.returncode == 1 and "command" in result.stderr
 
 
-def test_a_script_that_does_not_load_is_told_before_the_work(log, tmp_path):
+def test_a_script_that_does_not_load_is_reported_before_the_work(log, tmp_path):
     (tmp_path / "main.py").write_text("def decide(world)\n")
     result = kelpie("import", log.parent / "r", "--pycode", tmp_path, "--out", tmp_path / "x.mcap")
     assert result.returncode == 2 and "main.py:1: SyntaxError" in complaint(result)
@@ -118,7 +118,7 @@ def test_all_complaints_about_a_header_come_at_once(tmp_path):
     assert "the header must be " + HEADER in reported
 
 
-def test_columns_in_another_order_are_told_as_such(tmp_path):
+def test_columns_in_another_order_are_reported_as_such(tmp_path):
     columns = HEADER.split(",")
     reported = refusal_of_table(tmp_path, ",".join([*columns[1:], columns[0]]) + "\n")
     assert "sensors.csv:1: the columns are in the wrong order" in reported
@@ -237,7 +237,7 @@ def test_names_in_capitals_as_a_fat_stick_has_them_are_taken(log, tmp_path):
     assert "is part of the recording itself" in refusal(folder, folder / "SENSORS.CSV")
 
 
-def test_a_decimal_comma_is_told_with_its_line_and_what_to_write(tmp_path):
+def test_a_decimal_comma_is_reported_with_its_line_and_what_to_write(tmp_path):
     reported = refusal_of_table(tmp_path, "\n".join([HEADER, GOOD.format(0), "0,0334,-20,0,0,14,25,"
                                                  "100,0,0,0"]) + "\n")
     assert ":3: 11 columns, expected 9; write numbers with a decimal point" in reported

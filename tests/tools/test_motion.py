@@ -33,7 +33,7 @@ def test_a_path_is_played_as_the_motion_that_its_name_says(tmp_path):
     assert kelpie("motion", copy).stdout == kelpie("motion", "upenn_left").stdout
 
 
-def test_a_file_of_another_name_is_a_kick_where_it_says_so_or_as_it_is_told(tmp_path):
+def test_a_file_of_another_name_is_a_kick_where_it_says_so_or_as_an_option_says(tmp_path):
     free, copy = tmp_path / "free.toml", tmp_path / "mine.toml"
     shutil.copy(MOTIONS / "upenn_left.toml", free)
     shutil.copy(MOTIONS / "hard_forward.toml", copy)

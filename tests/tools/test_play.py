@@ -220,7 +220,7 @@ def test_frames_that_the_agent_never_got_are_counted_by_the_cameras_numbers(tmp_
     assert [round(g) - 1 for g in gaps] == [b - a for a, b in zip(dropped, dropped[1:])]
 
 
-def test_a_folder_that_cannot_be_written_is_told_before_the_match(tmp_path):
+def test_a_folder_that_cannot_be_written_is_reported_before_the_match(tmp_path):
     (tmp_path / "out").mkdir()
     (tmp_path / "out/match.mcap").mkdir()
     result = kelpie("play", "--seconds", "5", "--out", tmp_path / "out")

@@ -175,7 +175,7 @@ def save(path, text):
     part.replace(path)
 
 
-def test_a_file_edited_while_a_match_runs_plays_and_a_mistake_is_told_once(tmp_path):
+def test_a_file_edited_while_a_match_runs_plays_and_a_mistake_is_reported_once(tmp_path):
     pycode = tmp_path / "pycode"
     shutil.copytree(ROOT / "pycode", pycode, ignore=shutil.ignore_patterns("__pycache__"))
     main = pycode / "main.py"

@@ -64,7 +64,7 @@ def test_a_frame_of_a_folder_is_drawn(tmp_path):
     assert size_of(out)[0] > 1248
 
 
-def test_a_frame_that_is_not_there_is_told_with_their_number(match, tmp_path):
+def test_a_frame_that_is_not_there_is_reported_with_their_number(match, tmp_path):
     folder = make_recording(tmp_path / "r", [bytes(3 * PLANE)] * 2)
     result = kelpie("show", folder, "--frame", "2", "--out", tmp_path / "x.png")
     assert result.returncode == 2

@@ -29,20 +29,20 @@ def minutes_of(megabytes, minutes=60):
     return {"red 2": [(second, megabytes(second / 3600)) for second in range(60 * minutes)]}
 
 
-def test_memory_that_grows_is_told_and_a_start_is_no_growth():
+def test_memory_that_grows_is_reported_and_a_start_is_no_growth():
     assert wrongs(minutes_of(lambda hour: 30 + 6 * hour)) == [
         "red 2 grows by 6.0 MB an hour: 30.6 MB, then 35.5 MB"]
     assert wrongs(minutes_of(lambda hour: 20 if hour < 0.01 else 30)) == []
     assert wrongs(minutes_of(lambda hour: 30 + 6 * hour, minutes=0)) == []  # died at once
 
 
-def test_a_line_that_nothing_explains_is_told():
+def test_a_line_that_nothing_explains_is_reported():
     assert wrongs({}, lines=["playing: seed 3", "behaviour: main.py: loaded again"]) == []
     assert wrongs({}, lines=["the mate red 1: behaviour: a.py:3: MemoryError"]) == [
         "unexplained: the mate red 1: behaviour: a.py:3: MemoryError"]
 
 
-def test_a_killed_agent_comes_back_or_is_told_and_only_the_last_may_be_late():
+def test_a_killed_agent_comes_back_or_is_reported_and_only_the_last_may_be_late():
     killed = "the mate red 1 died (signal 9); it is started again"
     back = "agent red 1 is there again; connection closed by the agent"
     assert wrongs({}, lines=[killed, back, killed], kills=2) == []

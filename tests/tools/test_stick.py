@@ -144,7 +144,7 @@ def test_a_stop_leaves_no_radios_key_behind(parts):
     assert not list((parts / "tmp").iterdir()) and not list(parts.glob("s.img*"))
 
 
-def test_a_folder_in_a_files_place_is_told_before_anything_is_written(parts):
+def test_a_folder_in_a_files_place_is_reported_before_anything_is_written(parts):
     (parts / "mount/OPEN-R/MW/DATA/P/STICK.BIN").mkdir(parents=True)
     before = files_in(parts / "mount")
     result = stick(*all_options(parts), "--install", parts / "mount")
@@ -250,7 +250,7 @@ def test_diff_says_which_file_of_a_stick_is_damaged(parts):
     assert "CONNECT.CFG: is not the file that the stick was written with" in result.stdout
 
 
-def test_the_radios_keys_are_never_told(parts):
+def test_the_radios_keys_are_never_reported(parts):
     for words in (["--diff", parts / "mount"], ["--install", parts / "mount"],
                   ["--out", parts / "s"]):
         result = stick(*all_options(parts), *words)

@@ -87,7 +87,7 @@ def test_teams_are_heard_by_sockets_of_this_machine_too(team, tmp_path):
     assert any(frame["teammates"] for frame in frames(tmp_path / "out/match.mcap"))
 
 
-def test_a_script_that_fails_is_told_once_and_its_robots_stand(tmp_path, team):
+def test_a_script_that_fails_is_reported_once_and_its_robots_stand(tmp_path, team):
     (team / "main.py").write_text(BREAKS)
     result = match(team, tmp_path / "out", seconds="2")
     assert result.returncode == 0, result.stderr

@@ -137,7 +137,7 @@ def test_what_is_wrong_with_a_file_of_keys_is_one_line(text, why, tmp_path):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["keys.txt"]
 
 
-def test_a_file_that_is_not_there_and_no_terminal_are_told(tmp_path):
+def test_a_file_that_is_not_there_and_no_terminal_are_reported(tmp_path):
     gone = kelpie("teleop", "--keys", tmp_path / "gone", "--out", tmp_path)
     assert gone.returncode == 2 and "gone: cannot be read" in complaint(gone)
     nobody = subprocess.run([BIN / "kelpie", "teleop", "--out", tmp_path], text=True, timeout=60,
@@ -328,7 +328,7 @@ def test_keys_typed_before_a_late_agent_comes_are_its_first(late, tmp_path):
     assert terminal.end() == 0, terminal.errors
 
 
-def test_a_driver_who_quits_before_the_agent_came_is_told_so(tmp_path):
+def test_a_driver_who_quits_before_the_agent_came_is_informed(tmp_path):
     programs = with_agent(tmp_path / "bin", "exec sleep 60")
     terminal = Terminal(tmp_path / "out", programs=programs)
     assert terminal.read(10, rb"\033\[\?1049h")

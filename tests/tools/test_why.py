@@ -121,7 +121,7 @@ def test_why_refuses_what_it_cannot_answer_in_one_line(log, silent, tmp_path):
     assert "x is not a number" in refused("why", log, "--at", "x")
 
 
-def test_of_a_cut_log_what_is_whole_is_told(log, tmp_path):
+def test_of_a_cut_log_what_is_whole_is_reported(log, tmp_path):
     cut = tmp_path / "cut.mcap"
     cut.write_bytes(log.read_bytes()[:-200_000])
     result = kelpie("why", cut, "--at", "0.3")

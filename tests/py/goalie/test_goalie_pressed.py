@@ -16,7 +16,7 @@ def opponent(x, y, seen=0.0):
 
 @pytest.mark.parametrize('ahead, left, stands', [(18, 0, True), (18, 10, True), (-8, 10, True),
                                                  (30, 0, False), (8, 20, False)])
-def test_a_goalie_holds_out_at_a_ball_at_its_body_that_an_opponent_presses(ahead, left, stands):
+def test_a_goalie_holds_position_at_a_ball_at_its_body_that_an_opponent_presses(ahead, left, stands):
     """Past who walks or turns it slips; into the way of one that is beside it, it goes."""
     at, facing = 166 + 30j, cmath.rect(1.0, math.radians(75.0))
     ball = at + (ahead + 1j * left) * facing
@@ -58,7 +58,7 @@ def pressed(away=15.0, believed=188 + 21j):
 
 @pytest.mark.parametrize('away, believed, holds', [
     (15.0, 188 + 21j, True), (40.0, 188 + 21j, False), (15.0, 240 + 60j, True), (15.0, None, True)])
-def test_a_goalie_holds_out_at_a_ball_that_its_mates_see_at_its_flank(away, believed, holds):
+def test_a_goalie_holds_position_at_a_ball_that_its_mates_see_at_its_flank(away, believed, holds):
     _, player, stands = pressed(away, believed)
     for _ in range(5):
         still = stands()
@@ -66,7 +66,7 @@ def test_a_goalie_holds_out_at_a_ball_that_its_mates_see_at_its_flank(away, beli
     assert still == holds
 
 
-def test_a_goalie_holds_out_for_four_seconds_and_after_a_kick_for_four_more():
+def test_a_goalie_holds_position_for_four_seconds_and_after_a_kick_for_four_more():
     """It kicked at a ball pressed for 4 s, then its legs pushed it in (balls put before the goals,
     81 s)."""
     scenery, player, stands = pressed()

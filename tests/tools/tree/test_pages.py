@@ -51,7 +51,7 @@ def test_what_the_way_onto_a_robot_names_of_the_repository_is_there():
             if not list((ROOT / path).parent.glob((ROOT / path).name + "*"))] == []
 
 
-def test_a_light_of_the_face_that_is_told_has_its_place_told():
+def test_a_light_of_the_face_that_is_named_has_its_place_named():
     """Or that no source has it."""
     contract = (ROOT / "docs/robot-contract.md").read_text()
     placeless = {int(number) for number in re.findall(r"\| face (\d+) \|", contract)}
