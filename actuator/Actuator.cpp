@@ -158,7 +158,7 @@ void tick(const Asked& asked, const ActuatorParams& params, ActuatorState& state
   const JointAngles before = state.target;
   state.target = limited(target, before, slew);
   CommandedTick now = commandedNow(params, state);
-  now.reported = movedBy(before, state.target);
+  now.commanded = movedBy(before, state.target);
   record(now, state.odometry);
   state.legGain = std::fmax(state.legGain, legGain(params.motions, state.motion));
   if (running(state.motion)) moveOn(params, state);

@@ -109,7 +109,7 @@ void PythonHost::say(const std::string& line) {
 void PythonHost::tellLeftOut(std::uint32_t lines) {
   if (lines == 0) return;
   const std::string line = "print(): " + std::to_string(lines) + " more lines; " +
-                           std::to_string(printed_.params().linesPerSecond) + " a second are told";
+                           std::to_string(printed_.params().linesPerSecond) + " a second are shown";
   reports_.add(line, false);
   tell(line);
 }

@@ -9,9 +9,9 @@ import xml.etree.ElementTree as ElementTree
 
 
 def reason_of(output):
-    reported = (re.search(r"^skipped: *(.+)$", output, re.M)
+    reason = (re.search(r"^skipped: *(.+)$", output, re.M)
             or re.search(r": Skipped\n(.+)$", output, re.M))
-    return reported[1].strip() if reported else "gives no reason"
+    return reason[1].strip() if reason else "gives no reason"
 
 
 def skipped_tests(path):

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Fails on an include against the layers or rooms of docs/architecture.md, on units (a header with
-its source file) that include each other in a circle, on Python.h outside behaviour/, on OPEN-R
+"""Fails on an include against the layers or subfolders of docs/architecture.md, on units (a header
+with its source file) that include each other in a circle, on Python.h outside behaviour/, on OPEN-R
 headers outside robot/, and on tests that include the command line's own files."""
 
 import re
@@ -27,8 +27,8 @@ MAY_INCLUDE = {
     "robot/object": BOTTOM | {"behaviour", "robot/openr", "robot/agent", "robot/object",
                               "robot/stick"},
 }
-# The rooms of a stage in their order: a room includes those before it and itself, never its
-# neighbours of the same row. What several rooms share stands at the stage's root.
+# The subfolders of a stage in their order: each includes those before it and itself, never its
+# neighbours of the same row. What several subfolders share stands at the stage's root.
 ROOMS = {
     "vision": [["colour"], ["pixels"], ["blobs"], ["edge"],
                ["ball", "beacon", "goal", "line", "pink", "robot"]],
@@ -58,7 +58,7 @@ def room_of(path):
 def wrong_room(path, name):
     mine, other = room_of(path), room_of(name)
     if mine and other and mine[0] == other[0] and mine[1] != other[1] and mine[2] <= other[2]:
-        return f"room {mine[0]}/{mine[1]} may not include {other[0]}/{other[1]}"
+        return f"subfolder {mine[0]}/{mine[1]} may not include {other[0]}/{other[1]}"
     return None
 
 

@@ -37,17 +37,17 @@ class Motion:
 
     def __init__(self, path):
         self.name, table = path.stem, read(path)
-        reported = table.get("motion")
-        if not isinstance(reported, dict) or "number" not in reported:
+        listed = table.get("motion")
+        if not isinstance(listed, dict) or "number" not in listed:
             raise Wrong(f"{path}: motion: says nothing of its number (actuator/README.md)")
         other = table.get("mirror")
         of = read(path.with_name(other + ".toml")) if other else table
         pair = of.get("motion", {})
-        self.number, self.mirror = reported["number"], other or self.name
+        self.number, self.mirror = listed["number"], other or self.name
         self.use, self.ball = pair.get("use"), pair.get("ball", "")
-        self.leaf = reported.get("leaf", "")
+        self.leaf = listed.get("leaf", "")
         # `key = "6 leg left"`: the key of teleop and the word beside it.
-        self.key, _, self.word = reported.get("key", "").partition(" ")
+        self.key, _, self.word = listed.get("key", "").partition(" ")
         side = -1 if other else 1
         hint = pair.get("hint")
         self.hint = hint and (float(hint[0]), float(side * hint[1]))
@@ -57,10 +57,10 @@ class Motion:
         self.learn = None if other else table.get("learn")
         self.lines = [f"{word} = {inline(table[word])}" for word in ("motion", "learn")
                       if word in table]
-        self.check(path, reported)
+        self.check(path, listed)
 
-    def check(self, path, reported):
-        for key in set(reported) - KEYS:
+    def check(self, path, listed):
+        for key in set(listed) - KEYS:
             raise Wrong(f"{path}: motion.{key}: there is no such key")
         for key in set(self.learn or {}) - LEARN_KEYS:
             raise Wrong(f"{path}: learn.{key}: there is no such key")
@@ -217,8 +217,8 @@ def python(found, choices):
     names = ["none", *(motion.name for motion in found)]
     yield ", ".join(python_name(name) for name in names) + f" = range({len(names)})"
     for values in choices.values():
-        reported = [text for name, text in values.items() if name != "about"]
-        yield ", ".join(reported) + f" = range({len(reported)})"
+        names = [text for name, text in values.items() if name != "about"]
+        yield ", ".join(names) + f" = range({len(names)})"
     roles = [name for name in choices["Role"] if name != "about"]
     yield f"ROLE_NAMES = {tuple(roles)!r}"
     yield KICK_CLASS

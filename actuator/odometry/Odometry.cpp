@@ -84,7 +84,7 @@ Odometry odometry(const MotionInput& in, const SensedPoses& poses, const Odometr
   for (std::uint32_t i = 0; i < kTicksPerMessage; ++i) {
     const body::PlanarMotion feet = stepFootMotion(in.sensors[i], poses[i], state.feet);
     const CommandedTick& tick = shown(i, params, state);
-    stepReach(tick.reported, !standing(tick.stride.phase), in.sensors[i].joints, state.reach);
+    stepReach(tick.commanded, !standing(tick.stride.phase), in.sensors[i].joints, state.reach);
     const TickWay way = wayOf(tick, feet);
     addVariance(way, tick.motion, params, sum.variance);
     compose(swung(way, tick.swing, state.swing), sum);

@@ -22,7 +22,7 @@ struct CommandedTick {
   OdometryVariance motion;  // of a special motion
   Stride stride;            // standing in motions
   Swing swing;              // of that stride
-  LegPower reported{};      // what the legs were commanded to move
+  LegPower commanded{};     // what the legs were commanded to move
   Felt felt;                // until then
 };
 

@@ -40,8 +40,9 @@ LegPower movedBy(const JointAngles& from, const JointAngles& to) {
   return power;
 }
 
-void stepReach(const LegPower& reported, bool walks, const JointAngles& joints, ReachState& state) {
-  lowPass(walks ? reported : LegPower{}, state.asked);
+void stepReach(const LegPower& commanded, bool walks, const JointAngles& joints,
+               ReachState& state) {
+  lowPass(walks ? commanded : LegPower{}, state.asked);
   lowPass(walks ? movedBy(state.felt, joints) : LegPower{}, state.done);
   state.felt = joints;
 }

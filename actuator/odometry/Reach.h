@@ -30,7 +30,7 @@ struct ReachState {
 };
 
 // One tick: what the joints were commanded to move when what they show now was commanded.
-void stepReach(const LegPower& reported, bool walks, const JointAngles& joints, ReachState& state);
+void stepReach(const LegPower& commanded, bool walks, const JointAngles& joints, ReachState& state);
 
 Reach reachOf(const ReachState& state);
 

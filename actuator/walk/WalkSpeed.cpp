@@ -54,14 +54,14 @@ double strokeShare(const Velocity& feet, const StrokeLimits& max) {
 // not their speeds: the calibration's curves end where the feet do, and asked for 20 rad/s they
 // made a turn on the spot 11 deg/s faster and 6 cm/s astray.
 Velocity maxTowards(const Velocity& real, const WalkSet& set) {
-  double min = 0.0;
-  double max = 1.0;
+  double low = 0.0;
+  double high = 1.0;
   for (int round = 0; round < kHalvings; ++round) {
-    const double share = 0.5 * (min + max);
+    const double share = 0.5 * (low + high);
     const Velocity feet = feetSpeed(times(share, real), set.calibration);
-    (strokeShare(feet, set.max) > 1.0 ? max : min) = share;
+    (strokeShare(feet, set.max) > 1.0 ? high : low) = share;
   }
-  const Velocity feet = feetSpeed(times(max, real), set.calibration);
+  const Velocity feet = feetSpeed(times(high, real), set.calibration);
   return times(1.0 / std::fmax(1.0, strokeShare(feet, set.max)), feet);
 }
 

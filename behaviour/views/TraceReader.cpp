@@ -22,8 +22,8 @@ bool readLayer(PyObject* object, TraceLayer& layer, std::string& why) {
   int beyond = 0;  // -1 or 1 where it does not even fit a long
   const long number = PyLong_AsLongAndOverflow(object, &beyond);
   const long max = kTraceLayerCount - 1;
-  const long min = beyond < 0 ? 0 : max;
-  layer = static_cast<TraceLayer>(beyond != 0 ? min : std::clamp(number, 0L, max));
+  const long nearest = beyond < 0 ? 0 : max;
+  layer = static_cast<TraceLayer>(beyond != 0 ? nearest : std::clamp(number, 0L, max));
   return true;
 }
 

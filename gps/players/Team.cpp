@@ -38,7 +38,7 @@ bool soundNote(const TeamNote& note, const body::FieldDescription& field, double
 }
 
 // What a script wants beyond the carpet would have mates refuse all of the message.
-TeamNote reported(TeamNote note, const body::FieldDescription& field) {
+TeamNote onCarpet(TeamNote note, const body::FieldDescription& field) {
   note.wanted = body::carpetOf(field).nearest(note.wanted);
   return note;
 }
@@ -144,7 +144,7 @@ void speak(const FrameInput& input, const WorldModel& world, const PlayersContex
   m.player = input.game.player;
   m.pose = world.pose;
   m.covariance = world.covariance;
-  m.note = reported(input.lastCommand.team, context.field);
+  m.note = onCarpet(input.lastCommand.team, context.field);
   const BallEstimate& ball = world.ball;
   m.ball = SharedBall{};
   if (ball.present) {

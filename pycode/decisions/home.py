@@ -54,7 +54,7 @@ class Home:
         return self.regressed.place(world.field, ball, attacker_angle(attacker, ball), bit,
                                     PLACE[role])
 
-    def lateral(self, world, ball) -> float:
+    def turn_deg(self, world, ball) -> float:
         """deg to turn to look where who stands there looks: at the ball, but for examples."""
         if self.raw is not None and self.raw[2] is not None:
             there = math.radians(self.raw[2])

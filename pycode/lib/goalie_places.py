@@ -57,8 +57,8 @@ def bisector(field, ball) -> Point:
 
 def facing(place, ball) -> Place:
     """A place with the heading towards the ball, but never far from up-field."""
-    lateral = wrap(direction(place, ball) - UP_FIELD)
-    return place[0], place[1], UP_FIELD + clamp(lateral, -CLIP_HEADING, CLIP_HEADING)
+    off_deg = wrap(direction(place, ball) - UP_FIELD)
+    return place[0], place[1], UP_FIELD + clamp(off_deg, -CLIP_HEADING, CLIP_HEADING)
 
 
 def bisector_place(field, ball) -> Place:
@@ -143,10 +143,10 @@ def off_own_goal(field, ball, direction_deg) -> float:
     """Degrees between a direction of the field and the nearest one that leads into the own goal;
     negative inside the cone."""
     low, high = own_goal_cone(field, ball)
-    lateral = wrap(direction_deg - DOWN_FIELD)
-    if low <= lateral <= high:
-        return max(low - lateral, lateral - high)
-    return min(abs(wrap(lateral - low)), abs(wrap(lateral - high)))
+    off_deg = wrap(direction_deg - DOWN_FIELD)
+    if low <= off_deg <= high:
+        return max(low - off_deg, off_deg - high)
+    return min(abs(wrap(off_deg - low)), abs(wrap(off_deg - high)))
 
 
 def to_field(heading_deg, forward, left) -> Point:

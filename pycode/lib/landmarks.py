@@ -55,14 +55,14 @@ def choose_landmark(world, pan_limit=ATTACKER_PAN, turned_from=0.0):
     `turned_from` (deg), where the head is now."""
     axis, wider = widest_axis(world.covariance)
 
-    def utility(candidate):
+    def cost(candidate):
         mark, _, pan = candidate
-        lateral = abs(pan - turned_from)
+        off_deg = abs(pan - turned_from)
         if wider >= ROUND:
-            lateral = off_axis(world.pose.heading_deg + pan, axis)
-        return mark.kind in GOALS, lateral
+            off_deg = off_axis(world.pose.heading_deg + pan, axis)
+        return mark.kind in GOALS, off_deg
 
-    best = min(in_reach(world, pan_limit), key=utility, default=None)
+    best = min(in_reach(world, pan_limit), key=cost, default=None)
     return best[0] if best is not None else None
 
 

@@ -13,7 +13,7 @@ from lib.steer import aim_at
 IMAGE_HALF_WIDTH = 28.4    # deg from the middle of the image to its side,
 IMAGE_UP = 22.6       # and to its upper edge
 INSIDE = 6.0          # of a landmark's middle from that side: a third of a beacon's height
-LATERAL = 14.0        # the ball is moved at most; at 1 m it is 5 deg wide
+MAX_PAN_OFF = 14.0        # the ball is moved at most; at 1 m it is 5 deg wide
 HORIZON_IN = 5.0      # deg of the image above the horizon that are wanted
 EYES = 17.0           # cm that the camera is above the top of the ball
 BALL = 8.6            # cm
@@ -33,7 +33,7 @@ def pan_for(world, ball_pan) -> float:
             off = wrap(math.degrees(math.atan2(dy, dx)) - view)
             best = off if abs(off) < abs(best) else best
     needed = abs(best) - (IMAGE_HALF_WIDTH - INSIDE)
-    return math.copysign(needed, best) if 0.0 < needed <= LATERAL else 0.0
+    return math.copysign(needed, best) if 0.0 < needed <= MAX_PAN_OFF else 0.0
 
 
 def up_for(distance) -> float:
@@ -50,14 +50,14 @@ class SharedGaze:
     twelfth of what an attacker may spend, and in a tenth of a second they hardly move."""
 
     def __init__(self):
-        self.lateral, self.frames = 0.0, 0
+        self.pan_off, self.frames = 0.0, 0
 
     def beside(self, world, point: Point, height) -> kelpie.HeadRequest:
         """The view that keeps a ball at that point of the robot frame (cm) and that height, and
         shows what else it can."""
         distance, pan = math.hypot(*point), heading(*point)
         if self.frames <= 0:
-            self.lateral, self.frames = pan_for(world, pan), EVERY
+            self.pan_off, self.frames = pan_for(world, pan), EVERY
         self.frames -= 1
         up = distance * math.tan(math.radians(up_for(world.ball.distance)))
-        return aim_at(*polar(distance, pan + self.lateral), height + up)
+        return aim_at(*polar(distance, pan + self.pan_off), height + up)

@@ -19,19 +19,19 @@ TURN_SPEED = 90.0        # deg/s; at 100 and more the images of a turning robot 
 
 def towards(point: Point, near=0.0, speed=SPEED) -> kelpie.WalkRequest:
     """Walks to a point and faces it; stops walking, but not facing, `near` cm before it."""
-    lateral = heading(*point)
+    off_deg = heading(*point)
     left = max(0.0, math.hypot(*point) - near)
-    share = clamp((ON_THE_SPOT - abs(lateral)) / (ON_THE_SPOT - AHEAD_WITHIN), 0.0, 1.0)
+    share = clamp((ON_THE_SPOT - abs(off_deg)) / (ON_THE_SPOT - AHEAD_WITHIN), 0.0, 1.0)
     return kelpie.WalkRequest(forward=share * min(speed, SLOW_DOWN * left),
-                              turn_deg=clamp(TURN_GAIN * lateral, -TURN_SPEED, TURN_SPEED))
+                              turn_deg=clamp(TURN_GAIN * off_deg, -TURN_SPEED, TURN_SPEED))
 
 
-def facing(point: Point, lateral, near=0.0, speed=SPEED) -> kelpie.WalkRequest:
-    """Walks to a point in any direction while turning by `lateral` deg; stops `near` cm before."""
+def facing(point: Point, off_deg, near=0.0, speed=SPEED) -> kelpie.WalkRequest:
+    """Walks to a point in any direction while turning by `off_deg` deg; stops `near` cm before."""
     away = math.hypot(*point)
     pace = min(speed, SLOW_DOWN * max(0.0, away - near)) / max(away, 1e-6)
     return kelpie.WalkRequest(forward=pace * point[1], left=-pace * point[0],
-                              turn_deg=clamp(TURN_GAIN * lateral, -TURN_SPEED, TURN_SPEED))
+                              turn_deg=clamp(TURN_GAIN * off_deg, -TURN_SPEED, TURN_SPEED))
 
 
 def aim_at(x, y, height=BALL_TOP) -> kelpie.HeadRequest:

@@ -44,7 +44,7 @@ def attack_failed(world) -> tuple | None:
     percept = world.percepts.ball
     if away > LEAVE:
         return 'the ball is {} cm beyond the box', away
-    if percept.present and abs(percept.heading_deg) > Paw.LATERAL:
+    if percept.present and abs(percept.heading_deg) > Paw.MAX_OFF:
         return 'the ball is seen {} deg aside', percept.heading_deg
     if not seen(world, UNSEEN_NEAR):
         return 'the ball is unseen for {} s', world.ball.seconds_since_seen

@@ -42,7 +42,7 @@ SKILLS = {
     'find_ball': FindBall,
     'grab_dribble': grab_dribble,
     'line_up_kick': line_up_kick,
-    **{reported.leaf: free_kick(kick) for kick, reported in kelpie.KICKS.items() if reported.leaf},
+    **{facts.leaf: free_kick(kick) for kick, facts in kelpie.KICKS.items() if facts.leaf},
 }
 
 

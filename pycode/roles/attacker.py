@@ -39,7 +39,7 @@ FOLLOW = 40.0  # cm/s: a ball that went ahead is followed meanwhile,
 FOLLOW_FROM = 30.0      # cm; not one that was left lying
 BOX_WAIT_FRAMES = 90    # who has no goalie waits so long for its ball to leave the own box
 BOX_LEFT_Y = 130.0      # cm; a ball beyond has left it for certain
-KICKS = {reported.leaf: kick for kick, reported in kelpie.KICKS.items() if reported.leaf}
+KICKS = {facts.leaf: kick for kick, facts in kelpie.KICKS.items() if facts.leaf}
 LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
 # Why the ball is looked for by who comes from another state than play.
 LEFT = {'back_off': 'the paws are free', 'localise': 'looked at a landmark',
@@ -222,8 +222,8 @@ class Attacker(RuleMachine):
         """The ball that was just kicked is not where it was believed: what is seen of it in this
         time is not played yet, only followed."""
         command = self.skill.step(world)
-        distance, lateral = self.memory.hint[:2]
-        if abs(lateral) < AHEAD and distance >= FOLLOW_FROM:
+        distance, off_deg = self.memory.hint[:2]
+        if abs(off_deg) < AHEAD and distance >= FOLLOW_FROM:
             command.walk = kelpie.WalkRequest(forward=FOLLOW, kind=kelpie.WALK_FAST)
         if self.timed_out(world, WATCH):
             self.enter(world, self.find, self.skill, 'it has rolled for {} s', WATCH)

@@ -180,11 +180,11 @@ class Supporter(RuleMachine):
     def go_home(self, world) -> kelpie.Command:
         """The last steps in any direction with the ball in view; then stands and faces it."""
         self.moving = self.now.away > (ARRIVED if self.moving else LEFT)
-        lateral = self.home_of.lateral(world, self.now.ball)
+        turn_deg = self.home_of.turn_deg(world, self.now.ball)
         if self.moving:
-            return self.walking(world, facing(from_field(world.pose, *self.now.home), lateral))
-        self.turning = abs(lateral) > (TURN_UNTIL if self.turning else TURN_FROM)
-        return self.walking(world, facing((0.0, 0.0), lateral if self.turning else 0.0))
+            return self.walking(world, facing(from_field(world.pose, *self.now.home), turn_deg))
+        self.turning = abs(turn_deg) > (TURN_UNTIL if self.turning else TURN_FROM)
+        return self.walking(world, facing((0.0, 0.0), turn_deg if self.turning else 0.0))
 
     def walking(self, world, walk) -> kelpie.Command:
         return kelpie.Command(walk=walk, head=self.watch.step(world, self.now.ball))

@@ -43,7 +43,7 @@ def up_field(now, turn_deg, maximum) -> float:
     itself the goalie sweeps a ball before its chest into the goal with any such turn."""
     side = math.copysign(1.0, turn_deg)
     deep = now.world.pose.position.y < MIN_Y
-    return 0.0 if -side * now.facing.lateral >= (0.0 if deep else maximum) else turn_deg
+    return 0.0 if -side * now.facing.up_deg >= (0.0 if deep else maximum) else turn_deg
 
 
 def faces_reported_ball(now, walk) -> kelpie.WalkRequest:

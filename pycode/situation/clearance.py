@@ -22,7 +22,7 @@ LATENCY = 0.05, 0.2  # s from asking to the motion's beginning, at least and at 
 STRIKE = 0.2         # s from there to the strike: a kick's last key frame ends after 0.18 to 0.24
 UTILITY = 0.45       # [0.225, 0.9] of a kick that is done as the ball lies
 FAR = 180.0          # [90, 360] cm that are as good as farther
-LATERAL = 0.35       # [0.175, 0.7] utility lost by a kick across the field
+SIDEWAYS = 0.35      # [0.175, 0.7] utility lost by a kick across the field
 ACROSS = 0.85        # [0.425, 1] share left of one that goes past the goal's middle
 OPPONENT = 70.0      # cm to an opponent that stands in the way,
 OPPONENT_DEG = 25.0  # deg off it
@@ -37,14 +37,14 @@ class Clearance:
 
     def __init__(self, world, kick, ball, outcome, heading_deg):
         self.kick, self.ball = kick, ball
-        chance, lateral, sd, distance, _ = outcome
-        self.direction = wrap(heading_deg + lateral)
+        chance, off_deg, sd, distance, _ = outcome
+        self.direction = wrap(heading_deg + off_deg)
         self.off_goal = off_own_goal(world.field, ball, self.direction)
         held = heading_deg + HELD_DEG * side_of(kick)
         self.safe = (self.off_goal > max(OFF_GOAL, SDS * sd) and
                      (side_of(kick) == 0.0 or off_own_goal(world.field, ball, held) > 0.0))
         up = math.cos(math.radians(self.direction - UP_FIELD))
-        self.utility = chance * min(1.0, distance / FAR) * (1.0 - LATERAL * (1.0 - up))
+        self.utility = chance * min(1.0, distance / FAR) * (1.0 - SIDEWAYS * (1.0 - up))
         outwards = (ball[0] - 0.5 * world.field.width) * math.cos(math.radians(self.direction))
         if outwards < 0.0:
             self.utility *= ACROSS

@@ -41,7 +41,7 @@ def off_box(world) -> float:
 class Facing:
     def __init__(self):
         self.wrong = None       # (why, number) if the goalie faces the wrong way in this frame
-        self.lateral = 0.0      # deg from the robot's heading to up-field, as the pose says
+        self.up_deg = 0.0      # deg from the robot's heading to up-field, as the pose says
         self.own_goal = 0       # frames that saw it ahead, less those that did not
         self.landmark_s = None  # when a landmark was last seen
         self.near_box_s = None  # when the pose was last near the box
@@ -53,7 +53,7 @@ class Facing:
     def update(self, world) -> None:
         """To be called in every frame."""
         self.left_deg -= abs(world.odometry.turn_deg)
-        self.lateral = wrap(UP_FIELD - world.pose.heading_deg)
+        self.up_deg = wrap(UP_FIELD - world.pose.heading_deg)
         step = 1 if own_goal_ahead(world) else -1
         self.own_goal = max(0, min(2 * OWN_FRAMES, self.own_goal + step))
         if self.landmark_s is None or world.percepts.landmarks:
@@ -68,10 +68,10 @@ class Facing:
 
     def why_wrong(self, world) -> tuple | None:
         if self.side != 0.0:    # the turn goes on until all is well
-            going = abs(self.lateral) > RIGHT or self.own_goal > 0 or self.left_deg > 0.0
-            return ('turning on, up-field is {} deg to the left', self.lateral) if going else None
-        if abs(self.lateral) > WRONG:
-            return 'up-field is {} deg to the left', self.lateral
+            going = abs(self.up_deg) > RIGHT or self.own_goal > 0 or self.left_deg > 0.0
+            return ('turning on, up-field is {} deg to the left', self.up_deg) if going else None
+        if abs(self.up_deg) > WRONG:
+            return 'up-field is {} deg to the left', self.up_deg
         return self.pose_is_wrong(world)
 
     def pose_is_wrong(self, world) -> tuple | None:
@@ -101,7 +101,7 @@ class Facing:
         return self.side
 
     def shorter_side(self) -> float:
-        return 1.0 if self.lateral >= 0.0 else -1.0
+        return 1.0 if self.up_deg >= 0.0 else -1.0
 
     def end_turn(self) -> None:
         self.side = 0.0

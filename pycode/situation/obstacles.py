@@ -75,17 +75,17 @@ def in_sector(points, pose, degrees, width, far, near=OWN_BODY) -> float:
     """The count in a sector about a pose, or in an arc of it: `width` deg about the direction
     `degrees` left of straight ahead, from near to far (cm)."""
     _numbers(degrees, width, far, near)
-    return sum(count for away, lateral, count in _polar(points, pose)
-               if near <= away <= far and abs(wrap(lateral - degrees)) <= 0.5 * width)
+    return sum(count for away, heading_deg, count in _polar(points, pose)
+               if near <= away <= far and abs(wrap(heading_deg - degrees)) <= 0.5 * width)
 
 
 def nearest(points, pose, degrees, width, count=FULL) -> float:
     """cm from a pose to the nearest cell of that count in a sector, beyond the own body; infinite
     when there is none."""
     _numbers(degrees, width, count)
-    return min((away for away, lateral, full in _polar(points, pose)
+    return min((away for away, heading_deg, full in _polar(points, pose)
                 if full >= count and away >= OWN_BODY
-                and abs(wrap(lateral - degrees)) <= 0.5 * width), default=math.inf)
+                and abs(wrap(heading_deg - degrees)) <= 0.5 * width), default=math.inf)
 
 
 def gap(points, pose, degrees, reach=GAP_REACH, width=GAP_WIDTH) -> tuple[float, float] | None:
@@ -93,7 +93,7 @@ def gap(points, pose, degrees, reach=GAP_REACH, width=GAP_WIDTH) -> tuple[float,
     through, in deg in the robot frame; None when all ways ahead are blocked or too narrow."""
     _numbers(degrees, reach, width)
     degrees = wrap(degrees)
-    blocked = [_covered(away, lateral) for away, lateral, count in _polar(points, pose)
+    blocked = [_covered(away, heading_deg) for away, heading_deg, count in _polar(points, pose)
                if count >= FULL and OWN_BODY <= away <= reach + 0.5 * CELL]
     ways = [(clamp(degrees, right + 0.5 * width, left - 0.5 * width), left - right)
             for right, left in _free(blocked) if left - right >= width]
@@ -125,10 +125,10 @@ def _polar(points, pose):
         yield math.hypot(x, y), heading(x, y), count
 
 
-def _covered(away, lateral):
+def _covered(away, heading_deg):
     """The headings, from right to left, behind which a cell lies that is seen at that distance."""
     half = math.degrees(math.asin(min(1.0, CELL / math.sqrt(2.0) / away)))
-    return lateral - half, lateral + half
+    return heading_deg - half, heading_deg + half
 
 
 def _free(blocked):

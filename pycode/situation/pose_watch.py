@@ -35,20 +35,20 @@ class PoseWatch:
     def update(self, world):
         """To be called in every frame."""
         if self.carried is None:
-            self.carried = reported(world)
+            self.carried = pose_of(world)
         if self.landmark_s is None or world.percepts.landmarks:
             self.landmark_s = world.time_s
         self.carried = moved(self.carried, world.odometry)
-        away, lateral = apart(self.carried, reported(world))
-        if self.since_s is None and self.sure and (away > JUMP_CM or lateral > JUMP_DEG):
+        away, turned = apart(self.carried, pose_of(world))
+        if self.since_s is None and self.sure and (away > JUMP_CM or turned > JUMP_DEG):
             self.since_s = world.time_s
         self.gave_in = False
-        right = away < BACK_CM and lateral < BACK_DEG
+        right = away < BACK_CM and turned < BACK_DEG
         if self.since_s is not None and (right or world.time_s - self.since_s > LONGEST):
             self.since_s, self.gave_in = None, not right
             self.ended_s = world.time_s
         if self.since_s is None:
-            self.carried = reported(world)
+            self.carried = pose_of(world)
             self.sure = is_sure(world)
 
     @property
@@ -104,7 +104,7 @@ class CarriedWorld:
     def __init__(self, world, pose):
         self.world = world
         self.pose = CarriedPose(*pose)
-        self.ball = CarriedBall(world.ball, reported(world), pose)
+        self.ball = CarriedBall(world.ball, pose_of(world), pose)
 
     def __getattr__(self, name):
         return getattr(self.world, name)
@@ -119,11 +119,11 @@ def torn(world) -> bool:
     """Whether two modes that are far from each other are both likely."""
     if len(world.modes) < 2 or world.modes[0].weight > LIKELY:
         return False
-    away, lateral = apart(reported(world.modes[0]), reported(world.modes[1]))
-    return away > BACK_CM or lateral > BACK_DEG
+    away, turned = apart(pose_of(world.modes[0]), pose_of(world.modes[1]))
+    return away > BACK_CM or turned > BACK_DEG
 
 
-def reported(world) -> tuple[float, float, float]:
+def pose_of(world) -> tuple[float, float, float]:
     """The pose of a world, or of a mode."""
     pose = world.pose
     return pose.position.x, pose.position.y, pose.heading_deg

@@ -30,18 +30,18 @@ OFF = 15.0               # cm beyond the lines; a ball farther off is one of a w
 APPROACH = 40.0          # cm, of a grab that is reported
 
 
-def seconds(distance, lateral=0.0, obstacles=0.0, stuck=False) -> float:
+def seconds(distance, off_deg=0.0, obstacles=0.0, stuck=False) -> float:
     """For a point so many cm away and deg off, with that count on the way."""
     on_the_way = min(obstacles, MANY) if obstacles >= FEW else 0.0
-    return (distance / SPEED + abs(lateral) / TURN_SPEED + OBSTACLE_S * on_the_way +
+    return (distance / SPEED + abs(off_deg) / TURN_SPEED + OBSTACLE_S * on_the_way +
             (STUCK_S if stuck else 0.0))
 
 
 def of_pose(pose, point) -> float:
     """For a robot at a pose to a point of the field, both as anybody may know them."""
     dx, dy = point[0] - pose.position.x, point[1] - pose.position.y
-    lateral = wrap(math.degrees(math.atan2(dy, dx)) - pose.heading_deg)
-    return seconds(math.hypot(dx, dy), lateral)
+    off_deg = wrap(math.degrees(math.atan2(dy, dx)) - pose.heading_deg)
+    return seconds(math.hypot(dx, dy), off_deg)
 
 
 def on_way(cells, start, end) -> float:

@@ -87,8 +87,8 @@ double meanOf(LegGain legs) {
   double sum = 0.0;
   for (std::size_t j = index(Joint::leftFrontRotator); j <= index(Joint::rightHindKnee); ++j) {
     const auto joint = static_cast<Joint>(j);
-    const double reported = gainOf(joint, legs).p;
-    sum += reported / gainOf(joint, {}).p;
+    const double gain = gainOf(joint, legs).p;
+    sum += gain / gainOf(joint, {}).p;
   }
   return sum / (3 * kLegCount);
 }

@@ -58,15 +58,15 @@ class LateLoops : public agent::Loops {
   const behaviour::ReportLine* takeLine() override { return at_->takeLine(); }
 
  private:
-  union Surroundings {
-    Surroundings() {}   // NOLINT(modernize-use-equals-default): the loops are made later
-    ~Surroundings() {}  // NOLINT(modernize-use-equals-default): LateLoops ends them
+  union Storage {
+    Storage() {}   // NOLINT(modernize-use-equals-default): the loops are made later
+    ~Storage() {}  // NOLINT(modernize-use-equals-default): LateLoops ends them
     RobotLoops loops;
   };
 
   bool made() const { return at_ != &fault_; }
 
-  Surroundings storage_;
+  Storage storage_;
   agent::FaultLoops fault_;
   agent::PowerReport power_;  // reported last; the loops that come later need it
   agent::Loops* at_ = &fault_;

@@ -39,12 +39,12 @@ bool getsUp(const MotionStatus& motion) {
 }
 
 void explain(Command& command, const char* branch, const char* reason) {
-  TraceStep reported;
-  reported.layer = TraceLayer::player;
-  reported.module.assign("simple");
-  reported.branch.assign(branch);
-  reported.reason.assign(reason);
-  command.trace.push_back(reported);
+  TraceStep step;
+  step.layer = TraceLayer::player;
+  step.module.assign("simple");
+  step.branch.assign(branch);
+  step.reason.assign(reason);
+  command.trace.push_back(step);
 }
 
 Command getUp(const MotionStatus& motion, SimpleState& state) {
@@ -67,11 +67,11 @@ Command waits(TimeUs now) {
 
 Command goesTo(const BallEstimate& ball) {
   Command command;
-  const double lateral = ball.heading.deg();
+  const double off = ball.heading.deg();
   const double share =
-      maths::clamp((kOnTheSpot - std::fabs(lateral)) / (kOnTheSpot - kAheadWithin), 0.0, 1.0);
+      maths::clamp((kOnTheSpot - std::fabs(off)) / (kOnTheSpot - kAheadWithin), 0.0, 1.0);
   command.walk.forward = share * maths::clamp(kSlowDown * ball.distance, 0.0, kSpeed);
-  command.walk.turn = Angle::deg(maths::clamp(kTurnGain * lateral, -kTurnSpeed, kTurnSpeed)).rad();
+  command.walk.turn = Angle::deg(maths::clamp(kTurnGain * off, -kTurnSpeed, kTurnSpeed)).rad();
   command.head.aim = HeadAim::point;
   command.head.target = {ball.relative.x, ball.relative.y, kBallTop};
   explain(command, "goes_to_ball", "the ball is known");

@@ -38,7 +38,7 @@ void StickReader::finish() {
 }
 
 void StickReader::begin() {
-  storage_ = std::make_unique<Surroundings>();
+  storage_ = std::make_unique<Storage>();
   progress_ = {};
   binaryBytes_ = 0;
   stage_ = Stage::binary;

@@ -48,7 +48,7 @@ class StickReader {
 
  private:
   enum class Stage : std::uint8_t { notBegun, binary, others, ended };
-  struct Surroundings {
+  struct Storage {
     std::array<std::uint8_t, kLargestBinary> binary;
     std::array<std::uint8_t, kBlockBytes> block;
   };
@@ -76,7 +76,7 @@ class StickReader {
   StickFault readPart(Part part, agent::AgentConfig& config) const;
 
   StickFiles& files_;
-  std::unique_ptr<Surroundings> storage_;
+  std::unique_ptr<Storage> storage_;
   Stage stage_ = Stage::notBegun;
   std::uint32_t binaryBytes_ = 0;
   std::size_t other_ = 0;  // which of the list

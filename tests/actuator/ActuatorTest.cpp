@@ -186,9 +186,9 @@ TEST(Odometry, TellsTheRealSpeedWhateverTheFeetDo) {
 // The joints of this walker do what is commanded at once.
 TEST(Odometry, OfTheStandingFeetsJointsIsTheSpeedOfTheFeet) {
   ActuatorParams params = exactWalks();
-  WalkOdometry& reported = params.walks.normal.odometry;
-  reported = {};
-  reported.forward.joints = reported.left.joints = reported.turn.joints = 1.0;
+  WalkOdometry& odometry = params.walks.normal.odometry;
+  odometry = {};
+  odometry.forward.joints = odometry.left.joints = odometry.turn.joints = 1.0;
   Walker w(params);
   w.standUp();
   w.run(WalkRequest{10, 4, 0.3}, 60);

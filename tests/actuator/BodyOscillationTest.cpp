@@ -30,7 +30,7 @@ Stride anyStride(Random& random) {
           {random.uniform(0, 1), random.uniform(0.1, 1)}};
 }
 
-TEST(BodyOscillation, AStandingRobotDoesNot) {
+TEST(BodyOscillation, AStandingRobotHasNone) {
   Random random(1);
   Stride stride = anyStride(random);
   stride.phase.lift = 0.0;

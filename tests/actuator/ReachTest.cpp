@@ -13,7 +13,7 @@ namespace {
 // Every joint of the legs swings as a sine; those of `wide` a tenth further than commanded.
 ReachState swinging(const std::array<double, kJointCount>& wide) {
   ReachState state;
-  JointAngles reported;
+  JointAngles commanded;
   for (int tick = 0; tick < 400; ++tick) {
     JointAngles next;
     JointAngles shown;
@@ -21,8 +21,8 @@ ReachState swinging(const std::array<double, kJointCount>& wide) {
       next.angle[j] = Angle::rad(0.5 * std::sin(0.15 * tick));
       shown.angle[j] = Angle::rad((1.0 + wide[j]) * next.angle[j].rad());
     }
-    stepReach(movedBy(reported, next), true, shown, state);
-    reported = next;
+    stepReach(movedBy(commanded, next), true, shown, state);
+    commanded = next;
   }
   return state;
 }

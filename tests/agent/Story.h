@@ -77,7 +77,7 @@ class Story : public testing::Test, public LogSink {
     if (plays && readyAt == 0.0) readyAt = input.time.seconds();
     for (const JointFrame& frame : output.joints) {
       if (!plays && !played_) feelSpeed(input.held, frame.target);
-      reported_ = frame.target;
+      commanded_ = frame.target;
     }
     played_ = plays;
     leds = output.joints.back().leds;
@@ -188,11 +188,11 @@ class Story : public testing::Test, public LogSink {
  private:
   void feelSpeed(std::uint32_t held, const JointAngles& target) {
     for (std::size_t j = 0; j < kJointCount; ++j) {
-      const double way = std::fabs((target.angle[j] - reported_.angle[j]).deg());
+      const double way = std::fabs((target.angle[j] - commanded_.angle[j]).deg());
       if ((held >> j & 1U) != 0) fastestHeld = std::max(fastestHeld, way / kTickSeconds);
     }
   }
-  JointAngles reported_;
+  JointAngles commanded_;
   bool played_ = false;  // in the last message
 };
 

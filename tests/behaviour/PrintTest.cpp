@@ -68,7 +68,7 @@ TEST(Print, MoreThanTenLinesASecondAreCountedAndReported) {
       << reported;
   EXPECT_TRUE(contains(reported,
                        "behaviour: frame 10\nbehaviour: print(): 19 more lines; 10 a second "
-                       "are told\nbehaviour: frame 30\n"))
+                       "are shown\nbehaviour: frame 30\n"))
       << reported;
 }
 

@@ -95,9 +95,9 @@ TEST(BodyEstimate, WhatOneNeckAngleCannotTellIsLeftAndSaid) {
   once.ways = 1;
   const auto e = estimateBody(logOf(once));
   ASSERT_TRUE(e.ok()) << e.error();
-  EXPECT_FALSE(e->unknowns[kNeckGives].reported);
+  EXPECT_FALSE(e->unknowns[kNeckGives].observed);
   EXPECT_EQ(e->params.neckGives, 0.0);
-  EXPECT_TRUE(e->unknowns[kNeckTilt].reported);
+  EXPECT_TRUE(e->unknowns[kNeckTilt].observed);
 }
 
 TEST(PanSlack, FollowsTheEndsOfTheDeadZoneAndNotTheNoise) {

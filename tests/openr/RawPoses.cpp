@@ -143,10 +143,10 @@ std::string gaze(const JointAngles& joints) {
 }
 
 std::string tail(const JointAngles& joints) {
-  constexpr double kLateral = 5.0;  // deg
-  constexpr double kMuch = 32.5;    // the middle of its range
+  constexpr double kStraight = 5.0;  // deg
+  constexpr double kMuch = 32.5;     // the middle of its range
   const double left = joints[Joint::tailPan].deg();
-  const std::string side = left > kLateral ? "left" : left < -kLateral ? "right" : "straight";
+  const std::string side = left > kStraight ? "left" : left < -kStraight ? "right" : "straight";
   return side + ", tilted " + (joints[Joint::tailTilt].deg() > kMuch ? "much" : "little");
 }
 

@@ -69,14 +69,14 @@ class IdealWorld:
         chain: facts-2005 section 2.2."""
         x, y = self.robot_frame(point)
         head = self.world.head
-        lateral = math.degrees(math.atan2(-x, y)) - head.head_pan_deg
+        off_deg = math.degrees(math.atan2(-x, y)) - head.head_pan_deg
         lean = math.radians(14.25 - head.neck_tilt_deg)
         down = math.radians(14.25 - head.neck_tilt_deg - head.head_nod_deg)
         ahead = 8.0 * math.sin(lean) + 8.1 * math.cos(down) - 1.46 * math.sin(down)
         above = 11.95 + 8.0 * math.cos(lean) - 8.1 * math.sin(down) - 1.46 * math.cos(down)
         along = math.hypot(x, y) - ahead
         pitch = math.degrees(math.atan2(above - height, along) - down)
-        return abs(lateral) < HALF_WIDTH and abs(pitch) < HALF_HEIGHT
+        return abs(off_deg) < HALF_WIDTH and abs(pitch) < HALF_HEIGHT
 
     def step(self, command):
         self.move_head(command.head)

@@ -55,8 +55,8 @@ class TeamWorld:
         unseen = made.ball.seconds_since_seen + FRAME_S
         believed = made.ball.position.x, made.ball.position.y
         put_ball(made, *self.ball)
-        lateral = made.ball.heading_deg - made.head.head_pan_deg
-        if abs(lateral) > VIEW or made.ball.distance > SIGHT:
+        off_deg = made.ball.heading_deg - made.head.head_pan_deg
+        if abs(off_deg) > VIEW or made.ball.distance > SIGHT:
             put_ball(made, *believed, seen=False)
             made.ball.seconds_since_seen = unseen
 

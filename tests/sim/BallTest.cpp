@@ -66,9 +66,9 @@ TEST(Ball, TheRobotThatPushedItIsReported) {
   const RobotModel far(RobotParams{}, Pose2{{60, 200}, Angle::deg(90)}, 1);
   const RobotModel near(RobotParams{}, Pose2{{180, 200}, Angle::deg(90)}, 2);
   Ball ball{{180, 200 + kChestAhead + body::kBallRadius - 0.5}, {0, -50}};
-  EXPECT_EQ(tickBall(ball, {&far, &near}, {}, {}).max, std::optional<std::size_t>(1));
+  EXPECT_EQ(tickBall(ball, {&far, &near}, {}, {}).strongest, std::optional<std::size_t>(1));
   ball.position = {120, 300};
-  EXPECT_FALSE(tickBall(ball, {&far, &near}, {}, {}).max);
+  EXPECT_FALSE(tickBall(ball, {&far, &near}, {}, {}).strongest);
 }
 
 // Two robots, each pushed towards it by 6 mm a tick from anywhere, turned anyhow. Without being

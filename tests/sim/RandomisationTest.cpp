@@ -20,7 +20,7 @@ bool same(const RandomisedRobot& a, const RandomisedRobot& b) {
   return !firstDifference(a, b, nullptr);
 }
 
-TEST(Randomisation, TheLikeWorldHasNoDifference) {
+TEST(Randomisation, TheNominalWorldHasNoDifference) {
   EXPECT_TRUE(same(drawRandomisedRobot({}, 5, 0), {}));
   EXPECT_TRUE(drawRandomisedRobot({}, 5, 0).body.lean.level());
 }

@@ -99,4 +99,4 @@ def test_what_a_script_prints_is_shown_ten_lines_a_second(scripts, tmp_path):
                     tmp_path / "out")
     assert "behaviour: frame 0\nbehaviour: frame 1\n" in result.stderr
     assert 36 <= result.stderr.count("behaviour: frame ") <= 50, result.stderr
-    assert "behaviour: print(): 20 more lines; 10 a second are told\n" in result.stderr
+    assert "behaviour: print(): 20 more lines; 10 a second are shown\n" in result.stderr

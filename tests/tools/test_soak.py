@@ -16,7 +16,7 @@ def soak(out, *words, programs=None):
 
 
 def wrongs(memory, code=0, lines=(), kills=0):
-    reported = SOAK["Told"]()
+    reported = SOAK["Messages"]()
     for line in lines:
         reported.line(line)
     kept = SOAK["Memory"]()
@@ -47,8 +47,8 @@ def test_a_killed_agent_comes_back_or_is_reported_and_only_the_last_may_be_late(
     back = "agent red 1 is there again; connection closed by the agent"
     assert wrongs({}, lines=[killed, back, killed], kills=2) == []
     assert wrongs({}, lines=[killed, back, killed, killed], kills=3) == [
-        "3 agents were killed, 3 told of, 1 came back"]
-    assert wrongs({}, lines=[killed, back]) == ["0 agents were killed, 1 told of, 1 came back"]
+        "3 agents were killed, 3 reported, 1 came back"]
+    assert wrongs({}, lines=[killed, back]) == ["0 agents were killed, 1 reported, 1 came back"]
 
 
 def test_half_a_minute_of_it_is_well(tmp_path):

@@ -275,7 +275,7 @@ void describe(cli::CommandLine& app, Options& options) {
   app.option("--result", options.result, "result file (JSON)");
   app.flag("--tell-goals", options.tellGoals, "each goal as a line on standard output");
   app.flag("--tell-time", options.tellTime,
-           "with --rules: time, state and score twice a simulated second, so");
+           "with --rules: time, state and score twice a simulated second");
   app.flag("--rules", options.world.referee.rules,
            "a referee who knows more than goals, balls out and the end");
   app.option("--game-controller", options.controller,

@@ -46,7 +46,7 @@ Range fusedRange(const Scene& scene, const BallCandidate& c, const BallFinderPar
       maths::square(p.directionSd.rad()) + excessVariance(scene.body.camera, alongGround(c.axis));
   const double variance = direction * maths::square(ground / c.axis.z);
   // Both cannot be right: a whole outline has the ball's size, however the body leans. In seven
-  // unlike worlds 12 of 18 false balls were real ones drawn to half of their distance.
+  // randomised worlds 12 of 18 false balls were real ones drawn to half of their distance.
   if (isWhole(c) &&
       std::fabs(ground - range.value) > kMaxSds * std::sqrt(range.variance + variance))
     return range;

@@ -64,7 +64,7 @@ class RunCursor {
   }
 
  private:
-  static constexpr int kRowStride = 256;  // more than columns fit a run's byte
+  static constexpr int kRowStride = 256;  // more than the columns, which fit a byte
   static int place(int row, int column) { return kRowStride * row + column; }
 
   const Run* at_;

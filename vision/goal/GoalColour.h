@@ -23,8 +23,8 @@ struct CarpetColour {
 CarpetColour carpetColour(const Scene& scene);
 
 // Of a pixel: its difference from the carpet along the one that the goal's paint should have, as a
-// share of that. 1 for paint of the nominal colour, 0 for carpet. Of goals in unlike worlds 98 %
-// have over 0.8, of candidates beyond the carpet three of four less.
+// share of that. 1 for paint of the nominal colour, 0 for carpet. Of goals in randomised worlds 98
+// % have over 0.8, of candidates beyond the carpet three of four less.
 double paintShare(const Scene& scene, const CarpetColour& carpet, ColourClass colour, PixelPoint p);
 
 // From a column's foot to its top, the share that is paint; none where all of it is. Above begins

@@ -260,8 +260,8 @@ void chooseColumns(const Scene& scene, const GoalFinderParams& p, GoalCandidate&
   const double foot = middleFoot(scene, c);
   for (GoalColumn& column : c.columns) {
     if (column.chosen || column.footCut || !column.green) continue;
-    const double lateral = std::fabs(scene.frame.fromImage(column.foot).v - foot);
-    if (lateral > kFootRows + kFootShare * heightOf(column)) continue;
+    const double rows = std::fabs(scene.frame.fromImage(column.foot).v - foot);
+    if (rows > kFootRows + kFootShare * heightOf(column)) continue;
     column.chosen = true;
     column.distance = 0.0;
   }

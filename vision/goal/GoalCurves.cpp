@@ -27,13 +27,14 @@ constexpr std::array<Curve<GoalFacts>, 22> kCurves = {{
      {0.71, -0.01, -0.59, -0.02, 0.43, 3.63}},
     {&GoalFacts::misfit, {0, 0.05, 0.23, 1.32, 8.72, 50}, {-0.23, -0.68, 0.08, 0.69, 1.19, 2.16}},
     // A single column fits any shape and noise may end it: this leaves out six of 26 false goals in
-    // 12 000 unlike views and 0.2 % of those to be seen.
+    // 12 000 randomised views and 0.2 % of those to be seen.
     {&GoalFacts::measured, {1, 2, 6, 13, 17, 24}, {3.94, 2.15, 0.99, -0.29, 0.03, -1.14}},
     {&GoalFacts::chosen, {5, 9, 12, 15, 19, 24}, {2.31, 1.43, 1.27, 0.62, -0.5, -1.61}},
     {&GoalFacts::coloured,
      {0.42, 0.74, 0.86, 0.94, 1.12, 2.16},
      {0.98, -0.24, 0.48, -0.11, -0.36, -0.67}},
-    // In unlike worlds 98 % of the goals to be seen have over 0.87, four in ten of the false less.
+    // In randomised worlds 98 % of the goals to be seen have over 0.87, four in ten of the false
+    // less.
     {&GoalFacts::paint, {0.83, 0.85, 0.87, 0.9, 1, 1}, {5, 4, 2, 0, 0, 0}},
     {&GoalFacts::green, {0.38, 0.67, 0.79, 0.88, 0.96, 1}, {-2.29, -0.78, -0.79, 0.09, 0.93, 0.73}},
     {&GoalFacts::hidden, {0, 1, 2, 2, 2, 2}, {-0.08, 0.62, 1.23, 1.23, 1.23, 1.23}},

@@ -135,9 +135,9 @@ double hiddenSd(const Scene& scene, const GoalCandidate& c) {
   return (c.left.open() && c.right.open() ? kNoEnd : kOneEnd) * hidden;
 }
 
-// cm of the same by the goal's own turn, which the heights of its columns tell: in unlike worlds
-// headings of whole goals were off by 2 deg at 3.5 m, with squared errors three to five times what
-// one degree allows (`kelpie evaluate cut-goals --unlike 21`).
+// cm of the same by the goal's own turn, which the heights of its columns tell: in randomised
+// worlds headings of whole goals were off by 2 deg at 3.5 m, with squared errors three to five
+// times what one degree allows (`kelpie evaluate cut-goals --randomise 21`).
 constexpr double kAlongByTurnSd = 4.0;
 
 LandmarkPercept perceptOf(const Scene& scene, const GoalCandidate& c, const GoalShape& shape,

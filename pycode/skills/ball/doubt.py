@@ -31,10 +31,10 @@ class Doubt:
 
 def shown(world, x, y) -> bool:
     """Whether the image has a ball at that place in it, with nobody before it."""
-    away, lateral = math.hypot(x, y), heading(x, y)
+    away, off_deg = math.hypot(x, y), heading(x, y)
     if not NEAREST < away < FARTHEST:
         return False
-    if any(abs(robot.heading_deg - lateral) < HIDDEN_WITHIN and robot.distance < away
+    if any(abs(robot.heading_deg - off_deg) < HIDDEN_WITHIN and robot.distance < away
            for robot in world.percepts.robots):
         return False
     return off_axis(world, (x, y, BALL_RADIUS)) < SHOWN

@@ -46,10 +46,10 @@ def remembered(world) -> Memory:
 def side_of(world, before) -> float:
     """The side on which the ball is believed, +1 left; as before when nobody knows, or when it is
     straight ahead and noise would decide."""
-    lateral = world.ball.heading_deg
-    if not world.ball.present or abs(lateral) < ONE_SIDE:
+    off_deg = world.ball.heading_deg
+    if not world.ball.present or abs(off_deg) < ONE_SIDE:
         return before
-    return 1.0 if lateral > 0.0 else -1.0
+    return 1.0 if off_deg > 0.0 else -1.0
 
 
 def taken(world) -> bool:

@@ -38,10 +38,10 @@ class GoToBall(Skill):
         # A place beyond the ball would be reached through it: go to the ball and circle there.
         if math.hypot(*place) > world.ball.distance:
             place = ball
-        lateral = heading(*place)
-        turn = clamp(Approach.TURN_GAIN * lateral, -Approach.TURN_SPEED, Approach.TURN_SPEED)
-        if abs(lateral) > Approach.TURN_FIRST:
+        off_deg = heading(*place)
+        turn = clamp(Approach.TURN_GAIN * off_deg, -Approach.TURN_SPEED, Approach.TURN_SPEED)
+        if abs(off_deg) > Approach.TURN_FIRST:
             return kelpie.WalkRequest(turn_deg=turn)
         share = clamp(world.ball.distance / Approach.SLOW_DOWN, 0.0, 1.0)
         speed = max(Approach.MIN_SPEED, Approach.SPEED * share)
-        return kelpie.WalkRequest(forward=speed * math.cos(math.radians(lateral)), turn_deg=turn)
+        return kelpie.WalkRequest(forward=speed * math.cos(math.radians(off_deg)), turn_deg=turn)

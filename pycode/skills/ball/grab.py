@@ -44,35 +44,35 @@ PAWS_FAR = 11.0  # cm ahead of the neck: there a gripped ball lies,
 PAWS_LATERAL = 4.0  # and so far to the side (docs/physical-body.md)
 
 
-def walk_kind(away, lateral, last):
+def walk_kind(away, off_deg, last):
     """The walk for a point that far away and off, when `last` is walked. Each is left later than
     it is begun: two walks that took turns every frame cost the odometry 15 deg in a second."""
-    if abs(lateral) > (SPIN_UNTIL if last == kelpie.WALK_TURNING else SPIN_FROM):
+    if abs(off_deg) > (SPIN_UNTIL if last == kelpie.WALK_TURNING else SPIN_FROM):
         return kelpie.WALK_TURNING
     fast = last == kelpie.WALK_FAST
-    if away > FAST_FROM and abs(lateral) < (FAST_UNTIL if fast else FAST_WITHIN):
+    if away > FAST_FROM and abs(off_deg) < (FAST_UNTIL if fast else FAST_WITHIN):
         return kelpie.WALK_FAST
     return kelpie.WALK
 
 
 def approach(point, last=kelpie.WALK) -> kelpie.WalkRequest:
     """Straight at a point of the robot frame: walk(d cos h, 0, 0.9 h), section 6.3.3."""
-    away, lateral = math.hypot(*point), heading(*point)
-    ahead = math.cos(math.radians(lateral))
+    away, off_deg = math.hypot(*point), heading(*point)
+    ahead = math.cos(math.radians(off_deg))
     return kelpie.WalkRequest(forward=max(0.0, away * ahead), left=0.0,
-                              turn_deg=TURN_GAIN * lateral, kind=walk_kind(away, lateral, last))
+                              turn_deg=TURN_GAIN * off_deg, kind=walk_kind(away, off_deg, last))
 
 
-def limited(request, lateral) -> kelpie.WalkRequest:
+def limited(request, off_deg) -> kelpie.WalkRequest:
     """What the legs can do of it, no slower ahead than a grab needs, and turned to twice as fast
     as the thesis has it: 0.9 /s would curve past a ball 30 deg off."""
     if request.kind == kelpie.WALK_TURNING:
-        speed = clamp(3.0 * lateral, -SPIN_SPEED, SPIN_SPEED)
+        speed = clamp(3.0 * off_deg, -SPIN_SPEED, SPIN_SPEED)
         return kelpie.WalkRequest(turn_deg=speed, kind=kelpie.WALK_TURNING)
-    if abs(lateral) < 60.0:
-        request.forward = max(request.forward, CLOSING * math.cos(math.radians(lateral)))
+    if abs(off_deg) < 60.0:
+        request.forward = max(request.forward, CLOSING * math.cos(math.radians(off_deg)))
     if request.kind == kelpie.WALK:
-        request.forward = min(request.forward, SPEED * max(0.2, math.cos(math.radians(lateral))))
+        request.forward = min(request.forward, SPEED * max(0.2, math.cos(math.radians(off_deg))))
     request.turn_deg = clamp(2.0 * request.turn_deg, -TURN_SPEED, TURN_SPEED)
     return request
 

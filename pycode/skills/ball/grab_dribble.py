@@ -134,8 +134,8 @@ class GrabDribble(Machine):
 
     def give_up(self, world, why, *numbers):
         self.lost_ball = True
-        distance, lateral = hints.of_dribble(-1.0 if self.turn_side < 0.0 else 1.0)
-        self.hint = distance, lateral if abs(self.hold.turned) > 20.0 else 0.0
+        distance, off_deg = hints.of_dribble(-1.0 if self.turn_side < 0.0 else 1.0)
+        self.hint = distance, off_deg if abs(self.hold.turned) > 20.0 else 0.0
         return self.enter(world, self.ended, None, why, *numbers)
 
     # States
@@ -247,13 +247,13 @@ class GrabDribble(Machine):
 
     def fire(self, world, choice):
         """Kicks or lets go, as (choice, reason, numbers...) says."""
-        what, reason, *reported = choice
+        what, reason, *numbers = choice
         self.steps_back = (not isinstance(what, int) or
                            near(world.sensors.head_near_distance, DEFAULT))
         if isinstance(what, int):
-            self.enter(world, self.kick, Kick(world, what), reason, *reported)
+            self.enter(world, self.kick, Kick(world, what), reason, *numbers)
         else:
-            self.enter(world, self.release, Release(world), reason, *reported)
+            self.enter(world, self.release, Release(world), reason, *numbers)
 
     def kick(self, world):
         command = carry()

@@ -15,7 +15,7 @@ class Paw:
     TURN_GAIN = 3.0  # deg/s per deg
     TURN = 120.0  # deg/s
     VISUAL = 15.0            # cm; a seen ball that near starts the attack
-    LATERAL = 40.0           # deg; one seen farther off ends it
+    MAX_OFF = 40.0           # deg; one seen farther off ends it
 
 
 class PawKick(Skill):
@@ -29,8 +29,8 @@ class PawKick(Skill):
         ball = world.ball.relative
         if self.side == 0.0:
             self.side = 1.0 if ball.x >= 0.0 else -1.0
-        lateral = heading(ball.x - self.side * Paw.SIDE, max(ball.y, 1.0))
-        turn = clamp(Paw.TURN_GAIN * lateral, -Paw.TURN, Paw.TURN)
+        off_deg = heading(ball.x - self.side * Paw.SIDE, max(ball.y, 1.0))
+        turn = clamp(Paw.TURN_GAIN * off_deg, -Paw.TURN, Paw.TURN)
         return own_box.inside(world, kelpie.WalkRequest(forward=Paw.SPEED, turn_deg=turn))
 
     def explain(self, trace) -> None:

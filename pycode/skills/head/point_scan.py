@@ -78,8 +78,8 @@ class PointScan(Skill):
         passed = math.fmod(passed, self.period())
         self.branch, self.at = 'beacon', int(passed / Looks.BEACON)
         if self.at < len(self.beacons):
-            lateral = heading(*from_field(world.pose, *self.beacons[self.at]))
-            pan = lateral if abs(lateral) < MAX_PAN else FROM_MIDDLE[self.at]
+            off_deg = heading(*from_field(world.pose, *self.beacons[self.at]))
+            pan = off_deg if abs(off_deg) < MAX_PAN else FROM_MIDDLE[self.at]
             return view(pan, Looks.DOWN, world.stance)
         low = int((passed - len(self.beacons) * Looks.BEACON) / Looks.LOW)
         self.branch, self.at = 'low', min(low, len(LOW) - 1)
@@ -90,8 +90,8 @@ class PointScan(Skill):
         return self.near[self.at][1] if self.branch == 'near' else 0.0
 
     def low(self, world, pan):
-        lateral = math.radians(pan)
-        return look_at(-Looks.LOW_AT * math.sin(lateral), Looks.LOW_AT * math.cos(lateral), 0.0,
+        angle = math.radians(pan)
+        return look_at(-Looks.LOW_AT * math.sin(angle), Looks.LOW_AT * math.cos(angle), 0.0,
                        world.stance)
 
     def explain(self, trace) -> None:

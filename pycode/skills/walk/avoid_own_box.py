@@ -95,9 +95,9 @@ class AvoidOwnBox(Machine):
         robot = (world.pose.position.x, world.pose.position.y)
         vx, vy = step_towards(world.field, robot, place)
         right, ahead = from_field(world.pose, robot[0] + vx, robot[1] + vy)
-        lateral = heading(world.ball.relative.x, world.ball.relative.y)
+        off_deg = heading(world.ball.relative.x, world.ball.relative.y)
         return kelpie.WalkRequest(forward=ahead, left=-right,
-                                  turn_deg=clamp(TURN_GAIN * lateral, -TURN_SPEED, TURN_SPEED))
+                                  turn_deg=clamp(TURN_GAIN * off_deg, -TURN_SPEED, TURN_SPEED))
 
     def explain(self, trace) -> None:
         trace.append((self.LAYER, self.NAME, self.branch, self.why, *self.numbers))

@@ -33,13 +33,13 @@ class BirdOfPrey(Skill):
         self.choose_bend(world, place)
         # Near the end an arc is as good as straight; its bend would lead round the place.
         share = min(1.0, self.away / FAST_FROM)
-        lateral = heading(x, y) + share * self.bend
+        off_deg = heading(x, y) + share * self.bend
         speed = {}
         within = FAST_UNTIL if world.last_command.walk.kind == kelpie.WALK_FAST else FAST_WITHIN
-        fast = self.away > FAST_FROM and abs(lateral) < within
+        fast = self.away > FAST_FROM and abs(off_deg) < within
         if fast:
             speed = {'speed': FAST_SPEED}
-        walk = towards(polar(self.away, lateral), **speed)
+        walk = towards(polar(self.away, off_deg), **speed)
         walk.kind = kelpie.WALK_FAST if fast else kelpie.WALK
         return walk
 

@@ -60,12 +60,12 @@ class GoToPoint(Skill):
             self.still_s = self.still_s if self.still_s is not None else world.time_s
             return kelpie.WalkRequest()
         self.still_s = None
-        lateral = heading(x, y)
+        off_deg = heading(x, y)
         facing = Challenge.FACE_FIRST if self.turning else Challenge.FACE_AGAIN
-        if away < Challenge.STEP_BACK and abs(lateral) > 90.0:
+        if away < Challenge.STEP_BACK and abs(off_deg) > 90.0:
             return kelpie.WalkRequest(forward=-Challenge.SLOW)
-        self.turning = abs(lateral) > max(facing, Challenge.FACE_NEAR / away)
-        turn = clamp(Challenge.TURN_GAIN * lateral, -Challenge.TURN_SPEED, Challenge.TURN_SPEED)
+        self.turning = abs(off_deg) > max(facing, Challenge.FACE_NEAR / away)
+        turn = clamp(Challenge.TURN_GAIN * off_deg, -Challenge.TURN_SPEED, Challenge.TURN_SPEED)
         if self.turning:
             return kelpie.WalkRequest(turn_deg=turn)
         speed = clamp(Challenge.SLOW_DOWN * away, Challenge.SLOW, Challenge.SPEED)

@@ -44,7 +44,7 @@ class GuardGoal(Skill):
     def __init__(self, laziness):
         self.laziness = laziness
         self.moving = self.turning = False
-        self.off = self.lateral = 0.0
+        self.off = self.off_deg = 0.0
 
     def step(self, world, place) -> kelpie.WalkRequest:
         place = (*clip_to_box(world.field, place[:2], own_box.MARGIN), place[2])
@@ -58,12 +58,12 @@ class GuardGoal(Skill):
 
     def judge(self, world, place):
         self.off = math.hypot(*from_field(world.pose, place[0], place[1]))
-        self.lateral = wrap(place[2] - world.pose.heading_deg)
+        self.off_deg = wrap(place[2] - world.pose.heading_deg)
         lazy = self.laziness
         self.moving = self.off > (lazy.accurate if self.moving else lazy.lazy)
-        self.turning = abs(self.lateral) > (lazy.accurate_turn if self.turning else lazy.lazy_turn)
+        self.turning = abs(self.off_deg) > (lazy.accurate_turn if self.turning else lazy.lazy_turn)
 
     def explain(self, trace) -> None:
         branch = 'move' if self.moving else 'turn' if self.turning else 'stand'
         trace.append((kelpie.LAYER_SKILL, self.NAME, branch,
-                      'the place is {} cm away, its heading {} deg aside', self.off, self.lateral))
+                      'the place is {} cm away, its heading {} deg aside', self.off, self.off_deg))

@@ -59,19 +59,19 @@ class TakePlace(Machine):
     def walk_there(self, world):
         place = self.place(world)
         point = from_field(world.pose, *place)
-        away, lateral = math.hypot(*point), wrap(UP_FIELD_DEG - world.pose.heading_deg)
-        if away < IN and abs(lateral) < TURNED:
+        away, off_deg = math.hypot(*point), wrap(UP_FIELD_DEG - world.pose.heading_deg)
+        if away < IN and abs(off_deg) < TURNED:
             return self.enter(world, self.stand, None, 'at its place')
         if away < NEAR:
-            walk = facing(point, lateral, speed=SLOW)
+            walk = facing(point, off_deg, speed=SLOW)
         else:
             walk = self.bird.step(world, place)
         return kelpie.Command(walk=walk, head=Sweep().step(world, world.time_s))
 
     def stand(self, world):
         away = math.hypot(*from_field(world.pose, *self.place(world)))
-        lateral = wrap(UP_FIELD_DEG - world.pose.heading_deg)
-        if away > OUT or abs(lateral) > TURN_AGAIN:
+        off_deg = wrap(UP_FIELD_DEG - world.pose.heading_deg)
+        if away > OUT or abs(off_deg) > TURN_AGAIN:
             return self.enter(world, self.walk_there, self.bird, '{} cm off its place', away)
         return kelpie.Command(head=Sweep().step(world, world.time_s))
 

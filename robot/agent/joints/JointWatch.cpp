@@ -8,7 +8,7 @@ namespace kelpie::agent {
 std::optional<Joint> step(const MotionInput& in, const JointWatchParams& params,
                           JointWatchState& state) {
   constexpr double kMessageSeconds = kTickSeconds * kTicksPerMessage;
-  const JointAngles& then = state.reported[state.next];
+  const JointAngles& then = state.commanded[state.next];
   const JointAngles& now = in.sensors.back().joints;
   for (std::size_t j = 0; j < kJointCount; ++j) {
     const double error = std::fabs((now.angle[j] - then.angle[j]).deg());
@@ -20,8 +20,8 @@ std::optional<Joint> step(const MotionInput& in, const JointWatchParams& params,
   return state.stuck;
 }
 
-void reported(const JointAngles& targets, JointWatchState& state) {
-  state.reported[state.next] = targets;
+void commanded(const JointAngles& targets, JointWatchState& state) {
+  state.commanded[state.next] = targets;
   state.next = (state.next + 1) % kWatchedMessages;
   if (state.messages < kWatchedMessages) ++state.messages;
 }

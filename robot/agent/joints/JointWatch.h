@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether a joint that is held does not go where it was commanded: a broken gear, or something that
 // blocks it for longer than a scrum does. Compares what is sensed with what was commanded
-// `delayMessages` before. Fails where all of a joint's way is short.
+// kWatchedMessages before. Fails where all of a joint's way is short.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct JointWatchParams {
 constexpr std::size_t kWatchedMessages = 4;  // two vectors in flight, and the servo's lag
 
 struct JointWatchState {
-  std::array<JointAngles, kWatchedMessages> reported{};  // the oldest at `next`
+  std::array<JointAngles, kWatchedMessages> commanded{};  // the oldest at `next`
   std::size_t next = 0;
   std::uint32_t messages = 0;               // known
   std::array<double, kJointCount> apart{};  // s
@@ -30,6 +30,6 @@ struct JointWatchState {
 // counts as stuck until all joints are limp, wherever the robot lies down meanwhile.
 std::optional<Joint> step(const MotionInput& in, const JointWatchParams& params,
                           JointWatchState& state);
-void reported(const JointAngles& targets, JointWatchState& state);
+void commanded(const JointAngles& targets, JointWatchState& state);
 
 }  // namespace kelpie::agent

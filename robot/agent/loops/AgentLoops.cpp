@@ -76,7 +76,7 @@ const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   motionInput_.rest = motors_.rest;
   motionInput_.command = forTheBody();
   motionOutput_ = &motionLoop_.step(motionInput_, silent_);
-  reported(motionOutput_->joints.back().target, jointWatch_);
+  commanded(motionOutput_->joints.back().target, jointWatch_);
   for (std::size_t tick = 0; tick < motionInput_.sensors.size(); ++tick) {
     const auto back = static_cast<std::int64_t>(motionInput_.sensors.size() - 1 - tick) * kTickUs;
     const TimeUs then{motionInput_.time.us - back};

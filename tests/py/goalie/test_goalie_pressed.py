@@ -16,7 +16,7 @@ def opponent(x, y, seen=0.0):
 
 @pytest.mark.parametrize('ahead, left, stands', [(18, 0, True), (18, 10, True), (-8, 10, True),
                                                  (30, 0, False), (8, 20, False)])
-def test_a_goalie_holds_position_at_a_ball_at_its_body_that_an_opponent_presses(ahead, left, stands):
+def test_a_goalie_holds_position_at_a_ball_that_an_opponent_presses(ahead, left, stands):
     """Past who walks or turns it slips; into the way of one that is beside it, it goes."""
     at, facing = 166 + 30j, cmath.rect(1.0, math.radians(75.0))
     ball = at + (ahead + 1j * left) * facing

@@ -96,13 +96,13 @@ def test_goalies_and_who_was_silent_for_long_do_not_count():
 
 def test_one_metre_straight_ahead_takes_100_cm_at_30_cm_a_second():
     assert time_to.seconds(100.0) == pytest.approx(100.0 / 30.0)
-    assert time_to.seconds(0.0, lateral=-120.0) == pytest.approx(1.0)
+    assert time_to.seconds(0.0, off_deg=-120.0) == pytest.approx(1.0)
 
 
-@pytest.mark.parametrize('more', [dict(distance=120.0), dict(lateral=60.0), dict(obstacles=40.0),
+@pytest.mark.parametrize('more', [dict(distance=120.0), dict(off_deg=60.0), dict(obstacles=40.0),
                                   dict(stuck=True)])
 def test_each_term_more_takes_longer(more):
-    base = dict(distance=100.0, lateral=10.0, obstacles=6.0, stuck=False)
+    base = dict(distance=100.0, off_deg=10.0, obstacles=6.0, stuck=False)
     assert time_to.seconds(**{**base, **more}) > time_to.seconds(**base)
 
 

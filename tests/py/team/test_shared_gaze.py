@@ -6,8 +6,8 @@ import math
 import kelpie
 import pytest
 from lib.geom import from_field, heading, polar, wrap
-from lib.shared_gaze import (BALL, EVERY, HORIZON_IN, IMAGE_HALF_WIDTH, IMAGE_UP, INSIDE, LATERAL,
-                             SharedGaze, pan_for, up_for)
+from lib.shared_gaze import (BALL, EVERY, HORIZON_IN, IMAGE_HALF_WIDTH, IMAGE_UP, INSIDE,
+                             MAX_PAN_OFF, SharedGaze, pan_for, up_for)
 
 
 def world_at(x, y, degrees):
@@ -26,15 +26,15 @@ def nearest_off(world, pan):
 def test_it_turns_just_so_far_that_the_nearest_landmark_is_in_the_image():
     world, turned = world_at(180.0, 270.0, 90.0), 0
     for pan in range(-90, 91, 5):
-        lateral = pan_for(world, pan)
-        before, after = nearest_off(world, pan), nearest_off(world, pan + lateral)
-        assert abs(lateral) <= LATERAL
-        if lateral:
+        off = pan_for(world, pan)
+        before, after = nearest_off(world, pan), nearest_off(world, pan + off)
+        assert abs(off) <= MAX_PAN_OFF
+        if off:
             turned += 1
             assert after == pytest.approx(IMAGE_HALF_WIDTH - INSIDE) and before > after
         else:
             inside = IMAGE_HALF_WIDTH - INSIDE
-            assert before <= inside or before > inside + LATERAL
+            assert before <= inside or before > inside + MAX_PAN_OFF
     assert turned
 
 

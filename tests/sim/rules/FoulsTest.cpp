@@ -98,7 +98,7 @@ TEST(Fouls, TheBallIsHeldForThreeSecondsAndFiftyCentimetresAtMost) {
   }
 }
 
-struct ContactForce {
+struct PushCase {
   const char* fact;
   double oneSpeed;    // cm/s up-field of a red robot
   double otherSpeed;  // of a robot ahead of it
@@ -107,7 +107,7 @@ struct ContactForce {
   std::optional<std::size_t> pusher;
 };
 
-constexpr ContactForce kPushes[] = {
+constexpr PushCase kPushes[] = {
     {"4.1 s of pushing", 10, 10, 30, 4.1, 0},
     {"2.9 s", 10, 10, 30, 2.9, std::nullopt},
     {"who does not give way is not pushed", 3, 0, 30, 4.1, std::nullopt},
@@ -116,7 +116,7 @@ constexpr ContactForce kPushes[] = {
     {"of two the one that gives way is pushed", -10, -10, 30, 4.1, 1},
 };
 
-std::optional<std::size_t> pusherIn(MadeScene& scene, const ContactForce& push) {
+std::optional<std::size_t> pusherIn(MadeScene& scene, const PushCase& push) {
   PushingState state;
   std::optional<std::size_t> pusher;
   const auto field = ruleField();
@@ -136,14 +136,14 @@ MadeScene faceToFace(TeamColour other, double gap) {
 }
 
 TEST(Fouls, WhoPushesAnotherForThreeSeconds) {
-  for (const ContactForce& push : kPushes) {
+  for (const PushCase& push : kPushes) {
     MadeScene scene = faceToFace(kBlue, push.gap);
     EXPECT_EQ(pusherIn(scene, push), push.pusher) << push.fact;
   }
 }
 
 TEST(Fouls, NoPushIsAFoulAtTheBallByAGoalieInItsBoxOrAmongMates) {
-  const ContactForce& push = kPushes[0];
+  const PushCase& push = kPushes[0];
   MadeScene mates = faceToFace(kRed, push.gap);
   EXPECT_FALSE(pusherIn(mates, push));
   MadeScene goalie = faceToFace(kBlue, push.gap);

@@ -65,8 +65,8 @@ TEST(KickOff, PlacesAreTakenAfterTwoSecondsStill) {
 }
 
 TEST(KickOff, SwayingIsStillWalkingIsNot) {
-  MadeScene oscillations = two();
-  EXPECT_NEAR(untilTaken(oscillations,
+  MadeScene sways = two();
+  EXPECT_NEAR(untilTaken(sways,
                          [](MadeScene& now) {
                            now.players[0].pose.position.x =
                                (now.time.us / kTickUs) % 2 == 0 ? 180.0 : 181.0;

@@ -16,7 +16,7 @@ def test_a_stage_may_not_include_another():
 
 def test_a_finder_may_not_include_its_neighbour_but_what_it_stands_on():
     refused = check_layers.wrong_room("vision/ball/BallFinder.cpp", "vision/goal/GoalFinder.h")
-    assert refused == "room vision/ball may not include vision/goal"
+    assert refused == "subfolder vision/ball may not include vision/goal"
     assert check_layers.wrong_room("vision/ball/BallFinder.cpp", "vision/blobs/Blobs.h") is None
     assert check_layers.wrong_room("vision/pixels/Sampler.h", "vision/blobs/Blobs.h") is not None
     assert check_layers.wrong_room("vision/Vision.cpp", "vision/goal/GoalFinder.h") is None

@@ -19,7 +19,7 @@ constexpr std::size_t kMinKinds = 2;  // of landmarks; lines tell the rest
 constexpr double kMinOnLines = 0.7;
 constexpr double kMaxMoved = 4.0;  // cm between the two halves of the stand
 // Sd with the log over that without: at 0.5 the log alone tells it 1.7 times as well.
-constexpr double kReported = 0.5;
+constexpr double kMaxSdRatio = 0.5;
 
 using Fixed = std::array<bool, kUnknowns>;
 
@@ -118,7 +118,7 @@ class Estimator {
     const Numbers recorded = valuesOf(log_.config->body);
     for (;;) {
       std::size_t worst = kBodyUnknowns;
-      double largest = kReported;
+      double largest = kMaxSdRatio;
       for (std::size_t i = 0; i < kBodyUnknowns; ++i) {
         const double sd = fit_.sd[i] * inUnit(static_cast<Unknown>(i)) / kUnknownKinds[i].priorSd;
         if (fixed_[i] || sd <= largest) continue;

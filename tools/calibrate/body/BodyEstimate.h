@@ -20,7 +20,7 @@ struct Estimated {
   double value = 0.0;  // in the unknown's unit (kUnknownKinds)
   double sd = 0.0;
   double recorded = 0.0;  // what the log's robot believed
-  bool reported = false;  // otherwise `value` is that as well
+  bool observed = false;  // otherwise `value` is that as well
 };
 
 // A sighting's place in the image and how far it is beside where it should be.

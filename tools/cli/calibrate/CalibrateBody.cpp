@@ -49,10 +49,10 @@ struct BodyOptions {
 };
 
 // As a file of parameters wants it: a bare number, or number and unit in quotes.
-std::string valueFor(const Estimated& reported) {
-  const std::string unit = kUnknownKinds[reported.unknown].unit;
-  return unit.empty() ? fmt::format("{:.4f}", reported.value)
-                      : fmt::format("\"{:.3f}{}\"", reported.value, unit);
+std::string valueFor(const Estimated& one) {
+  const std::string unit = kUnknownKinds[one.unknown].unit;
+  return unit.empty() ? fmt::format("{:.4f}", one.value)
+                      : fmt::format("\"{:.3f}{}\"", one.value, unit);
 }
 
 // Lens and body in sections of their own; only what was estimated.
@@ -60,13 +60,12 @@ std::string parameterFile(const std::vector<Estimated>& unknowns, const std::str
   const std::string kLens = "lens.";
   std::string body = "[body]\n";
   std::string lens;
-  for (const Estimated& reported : unknowns) {
-    if (!reported.reported || reported.unknown >= calibrate::kBodyUnknowns) continue;
-    std::string name = kUnknownKinds[reported.unknown].name;
+  for (const Estimated& one : unknowns) {
+    if (!one.observed || one.unknown >= calibrate::kBodyUnknowns) continue;
+    std::string name = kUnknownKinds[one.unknown].name;
     const bool ofLens = name.rfind(kLens, 0) == 0;
     if (ofLens) name.erase(0, kLens.size());
-    (ofLens ? lens : body) +=
-        fmt::format("{} = {}  # sd {:.2g}\n", name, valueFor(reported), reported.sd);
+    (ofLens ? lens : body) += fmt::format("{} = {}  # sd {:.2g}\n", name, valueFor(one), one.sd);
   }
   std::string line = heading;  // a name of a file may hold a line break
   std::replace_if(
@@ -77,35 +76,35 @@ std::string parameterFile(const std::vector<Estimated>& unknowns, const std::str
 // What a file of parameters may hold (BodyParams::fields): a fit beyond it is no robot's.
 Status checkRanges(const std::vector<Estimated>& unknowns) {
   calibrate::Numbers values = calibrate::valuesOf(body::BodyParams{});
-  for (const Estimated& reported : unknowns)
-    if (reported.reported && reported.unknown < calibrate::kBodyUnknowns)
-      values[reported.unknown] =
-          reported.value / calibrate::inUnit(static_cast<calibrate::Unknown>(reported.unknown));
+  for (const Estimated& one : unknowns)
+    if (one.observed && one.unknown < calibrate::kBodyUnknowns)
+      values[one.unknown] =
+          one.value / calibrate::inUnit(static_cast<calibrate::Unknown>(one.unknown));
   std::string why;
   if (verify(calibrate::paramsWith({}, values), &why)) return Done{};
   return Error{"what fits best is no robot's: " + why};
 }
 
-void tellOne(const Estimated& reported) {
-  const std::string unit = kUnknownKinds[reported.unknown].unit;
-  const std::string name = kUnknownKinds[reported.unknown].name + (unit.empty() ? "" : ", " + unit);
-  fmt::print("{:<21} {:9.3f} ", name, reported.value);
-  if (!reported.reported)
+void tellOne(const Estimated& one) {
+  const std::string unit = kUnknownKinds[one.unknown].unit;
+  const std::string name = kUnknownKinds[one.unknown].name + (unit.empty() ? "" : ", " + unit);
+  fmt::print("{:<21} {:9.3f} ", name, one.value);
+  if (!one.observed)
     fmt::print("left as it was: the log cannot tell it\n");
-  else if (reported.unknown < calibrate::kBodyUnknowns)
-    fmt::print("+- {:<6.3f} {:8.3f}\n", reported.sd, reported.recorded);
+  else if (one.unknown < calibrate::kBodyUnknowns)
+    fmt::print("+- {:<6.3f} {:8.3f}\n", one.sd, one.recorded);
   else
-    fmt::print("+- {:.3f}\n", reported.sd);
+    fmt::print("+- {:.3f}\n", one.sd);
 }
 
 void tell(const BodyEstimate& e) {
   fmt::print("{:.1f} s of standing, {} stops of the head, {} frames, {} landmarks\n\n", e.seconds,
              e.stops, e.frames, e.landmarkKinds);
   fmt::print("{:<21} {:>9}    {:<6} {:>8}\n", "body parameter", "found", "sd", "was");
-  for (const Estimated& reported : e.unknowns) {
-    if (reported.unknown == calibrate::kBodyUnknowns)
+  for (const Estimated& one : e.unknowns) {
+    if (one.unknown == calibrate::kBodyUnknowns)
       fmt::print("\nfound beside them, in no file of parameters\n");
-    tellOne(reported);
+    tellOne(one);
   }
   fmt::print("\n{:<18} median miss before -> after\n", "sightings");
   for (std::size_t i = 0; i < calibrate::kSightKindCount; ++i) {
@@ -158,7 +157,7 @@ int fromSizes(const BodyOptions& options) {
   Estimated focal;
   focal.value = fit->focalLength;
   focal.sd = fit->focalSd;
-  focal.reported = true;
+  focal.observed = true;
   const Status within = checkRanges({focal});
   if (!within) return fail(within.error(), kExitBadInput);
   return write(options, parameterFile({focal}, "kelpie calibrate body from " + options.input));

@@ -44,7 +44,7 @@ struct TopicCopy {
   const char* topic;
   Status (*copy)(const LogMessage&, LogWriter&);
 };
-constexpr std::array<TopicCopy, 10> kCopies = {{
+constexpr std::array<TopicCopy, 11> kCopies = {{
     {kConfigTopic, copyAs<agent::AgentConfig>},
     {kFrameInputTopic, copyAs<FrameInput>},
     {kPlaneFrameTopic, copyAs<PlaneFrame>},
@@ -55,6 +55,7 @@ constexpr std::array<TopicCopy, 10> kCopies = {{
     {sim::kTruthTopic, copyAs<sim::TruthFrame>},
     {sim::kEventTopic, copyAs<sim::MatchEvent>},
     {sim::kRandomisedTopic, copyAs<sim::RandomisedWorld>},
+    {"/unlike", copyAs<sim::RandomisedWorld>},  // as older logs have it
 }};
 
 // The source whose next message is the oldest; the first of equals, so that order is kept.

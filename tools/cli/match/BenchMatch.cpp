@@ -34,10 +34,10 @@ double physicsOfOne(std::uint64_t seed) {
 }
 
 std::vector<std::string> worldOf(const MatchBench& bench, double seconds,
-                                 const RunDirectory& shop) {
+                                 const RunDirectory& runDirectory) {
   return {programFolder() + "/kelpie-world",
           "--socket",
-          shop.path("world"),
+          runDirectory.path("world"),
           "--robots",
           std::to_string(bench.robots),
           "--seed",
@@ -51,10 +51,11 @@ std::vector<std::string> worldOf(const MatchBench& bench, double seconds,
           bench.physical ? "--physical" : "--fast"};
 }
 
-std::vector<std::string> agentOf(const MatchBench& bench, int robot, const RunDirectory& shop) {
+std::vector<std::string> agentOf(const MatchBench& bench, int robot,
+                                 const RunDirectory& runDirectory) {
   return {programFolder() + "/kelpie-agent",
           "--socket",
-          shop.path("world"),
+          runDirectory.path("world"),
           "--team",
           robot % 2 == 0 ? "red" : "blue",
           "--player",
@@ -66,14 +67,14 @@ std::vector<std::string> agentOf(const MatchBench& bench, int robot, const RunDi
 
 // Seconds of the clock from the first process to the last one's end.
 Expected<double> played(const MatchBench& bench, double seconds) {
-  const RunDirectory shop;
-  if (!shop.ready()) return Error{"cannot make a temporary folder"};
+  const RunDirectory runDirectory;
+  if (!runDirectory.ready()) return Error{"cannot make a temporary folder"};
   const auto begin = std::chrono::steady_clock::now();
-  auto world = Process::start(worldOf(bench, seconds, shop), false);
+  auto world = Process::start(worldOf(bench, seconds, runDirectory), false);
   if (!world) return Error{world.error()};
   std::vector<Process> agents;
   for (int robot = 0; robot < bench.robots; ++robot) {
-    auto agent = Process::start(agentOf(bench, robot, shop), false);
+    auto agent = Process::start(agentOf(bench, robot, runDirectory), false);
     if (!agent) return Error{agent.error()};
     agents.push_back(std::move(*agent));
   }

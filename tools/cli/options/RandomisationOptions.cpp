@@ -14,7 +14,7 @@ void addRandomisationOptions(CommandLine& command, RandomisationOptions& options
   const auto seed =
       command
           .option("--randomise,--unlike", options.seed,
-                  "Seed of a world that differs from the one that Kelpie was tuned in; 0: like")
+                  "Seed of a world that differs from the one that Kelpie was tuned in; 0: none")
           .check(inRange(0.0, kLargestSeed));
   command
       .option("--randomise-only,--unlike-only", options.only,

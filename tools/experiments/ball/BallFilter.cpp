@@ -157,10 +157,10 @@ void falseLast(std::uint64_t seed, double speed, double sds, JumpErrors& errors)
   WorldModel world;
   if (!watch(scene, world)) return;
   for (double time = 0.0; time < kUnseen + 1e-6; time += kFrameSeconds) {
-    const double lateral = time > 0.0 ? maths::kPi / 2 : 0.0;
+    const double away = time > 0.0 ? maths::kPi / 2 : 0.0;
     scene.player.walk(scene.stroll.next());
     sim::roll(scene.ball, kFrameSeconds, {});
-    scene.player.turnHead(scene.player.bearingOf(scene.ball.position).rad() + lateral);
+    scene.player.turnHead(scene.player.bearingOf(scene.ball.position).rad() + away);
     BallPercept& ball = scene.player.percepts.ball;
     if (time == 0.0) scene.player.lookAtBall(scene.ball.position);
     ball.heading = ball.heading + Angle::rad(sds * std::sqrt(ball.headingVariance));

@@ -26,7 +26,7 @@ constexpr double kBoth = 0.5;    // of a play: where the middle of the dead zone
 
 // Found less true, and the estimator's own standard deviations.
 struct Found {
-  bool reported = false;  // not refused
+  bool accepted = false;  // not refused
   double tilt = 0.0;      // deg, of neck and body
   double tiltSd = 0.0;
   double nod = 0.0;   // deg
@@ -41,7 +41,7 @@ struct Found {
 
   template <int = 0>
   static constexpr auto fields() {
-    return fieldList(field("reported", &Found::reported), field("tilt", &Found::tilt),
+    return fieldList(field("accepted", &Found::accepted), field("tilt", &Found::tilt),
                      field("tiltSd", &Found::tiltSd), field("nod", &Found::nod),
                      field("roll", &Found::roll), field("rollSd", &Found::rollSd),
                      field("ahead", &Found::ahead), field("focal", &Found::focal),
@@ -69,7 +69,7 @@ Found compare(const BodyEstimate& e, const sim::RandomisedRobot& truth) {
   const auto sdOf = [&](calibrate::Unknown unknown) { return e.unknowns[unknown].sd; };
   const sim::NeckPlay& play = truth.body.play;
   Found found;
-  found.reported = true;
+  found.accepted = true;
   found.tilt =
       e.params.neckTiltOffset.deg() + truth.body.lean.tilt.deg() + kBoth * play.neckTilt.deg();
   found.nod = e.params.headNodOffset.deg() + kBoth * play.headNod.deg();
@@ -119,13 +119,13 @@ Expected<Json> calibrateBody(const Request& request) {
       request, [&](const Trial& trial) { return calibrateOne(request, *config, trial.seed); });
   if (!all) return Error{all.error()};
   Json json;
-  Share reported;
-  for (const Found& found : *all) reported.count(found.reported);
-  json["felt_rate"] = reported.value();
+  Share accepted;
+  for (const Found& found : *all) accepted.count(found.accepted);
+  json["accepted_rate"] = accepted.value();
   const auto add = [&](const std::string& key, const char* unit, auto&& value) {
     Values errors;
     for (const Found& found : *all)
-      if (found.reported) errors.push_back(value(found));
+      if (found.accepted) errors.push_back(value(found));
     json[key + "_error_" + unit] = worst(errors);
     json[key + "_error_rms_" + unit] = rms(errors);
   };

@@ -45,7 +45,7 @@ Point2<Robot> kicked(Point2<Robot> from, std::uint64_t seed) {
 Expected<Json> walkAndKick(const Request& request) {
   double shortest = 1e9;
   double sum = 0.0;
-  double lateral = 0.0;
+  double largest = 0.0;
   int kicks = 0;
   const double place = actuator::standardMotions()[MotionKind::kickForward].kick.ahead;
   for (const double ahead : {-1.0, -0.5, 0.0, 0.5, 1.0})
@@ -54,7 +54,7 @@ Expected<Json> walkAndKick(const Request& request) {
       const Point2<Robot> way = kicked({x, place + ahead}, seed);
       shortest = std::fmin(shortest, way.y);
       sum += way.y;
-      lateral = std::fmax(lateral, std::fabs(bearing(way).deg()));
+      largest = std::fmax(largest, std::fabs(bearing(way).deg()));
       ++kicks;
     }
   return Json{{"forward_ratio", walkRatio({20.0, 0.0, 0.0}, request.seed).forward},
@@ -67,11 +67,11 @@ Expected<Json> walkAndKick(const Request& request) {
               {"kicks", kicks},
               {"kick_mean_cm", sum / kicks},
               {"kick_min_cm", shortest},
-              {"kick_bearing_deg", lateral}};
+              {"kick_bearing_deg", largest}};
 }
 
 const Registration kWalkAndKick("walk-and-kick",
-                                "walked way over reported way; how far and straight the ball goes",
+                                "walked way over odometry's; how far and straight the ball goes",
                                 {Option::seed}, 1, walkAndKick);
 
 }  // namespace

@@ -50,7 +50,8 @@ Expected<Json> randomised(const Request& request) {
 }
 
 const Registration kRandomised(
-    "randomised", "objects, localise, kidnap and a goal in unlike worlds beside the like one",
+    "randomised",
+    "objects, localise, kidnap and a goal in randomised worlds beside the nominal one",
     {Option::trials, Option::seed, Option::randomised}, 40, randomised);
 
 }  // namespace

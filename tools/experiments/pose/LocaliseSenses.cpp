@@ -33,11 +33,11 @@ LandmarkRow rowOf(const LandmarkPercept& percept, const TrueLandmark& truth, Tim
 template <class Percept>
 void LandmarkErrors::add(const Percept& percept, const TrueLandmark& truth) {
   const double farther = percept.distance - truth.distance;
-  const double lateral = (percept.heading - truth.heading).rad();
+  const double off = (percept.heading - truth.heading).rad();
   distance.push_back(farther / truth.distance);
-  heading.push_back(lateral * kDegrees);
+  heading.push_back(off * kDegrees);
   distanceOverSd.push_back(farther / std::sqrt(percept.distanceVariance));
-  headingOverSd.push_back(lateral / std::sqrt(percept.headingVariance));
+  headingOverSd.push_back(off / std::sqrt(percept.headingVariance));
 }
 
 void LandmarkErrors::add(const LandmarkErrors& other) {

@@ -183,8 +183,8 @@ void ViewMaker::standOnLegs() {
 JointAngles ViewMaker::inPlay(const HeadRate& rate) {
   const sim::NeckPlay& play = view_.real.body.play;
   JointAngles joints = joints_;
-  const double lateral = play_.uniform(-0.5, 0.5);
-  const double pan = rate.headPan == 0.0 ? lateral : rate.headPan > 0.0 ? -0.5 : 0.5;
+  const double anywhere = play_.uniform(-0.5, 0.5);
+  const double pan = rate.headPan == 0.0 ? anywhere : rate.headPan > 0.0 ? -0.5 : 0.5;
   const double nod = rate.headNod < 0.0 ? 0.5 : -0.5;
   joints[Joint::neckTilt] = joints[Joint::neckTilt] - play.neckTilt * 0.5;
   joints[Joint::headPan] = joints[Joint::headPan] + play.headPan * pan;

@@ -79,8 +79,8 @@ struct Starts {
 
 class Learner {
  public:
-  Learner(const KickMapPlan& plan, const KickMapListener& reported)
-      : plan_(plan), reported_(reported), map_(emptyMap(plan)), seed_(firstModelOf(plan)) {}
+  Learner(const KickMapPlan& plan, const KickMapListener& listener)
+      : plan_(plan), listener_(listener), map_(emptyMap(plan)), seed_(firstModelOf(plan)) {}
 
   KickMap learn() {
     const std::vector<Job> jobs = allJobs();
@@ -154,7 +154,7 @@ class Learner {
   void tell(std::size_t more, std::size_t all) {
     const std::lock_guard<std::mutex> lock(mutex_);
     done_ += more;
-    if (!reported_(done_, all)) goesOn_ = false;
+    if (!listener_(done_, all)) goesOn_ = false;
   }
 
   void sumUp(std::size_t g, const std::vector<Job>& jobs, const std::vector<KickRun>& runs) {
@@ -176,7 +176,7 @@ class Learner {
   }
 
   const KickMapPlan& plan_;
-  const KickMapListener& reported_;
+  const KickMapListener& listener_;
   KickMap map_;
   std::uint64_t seed_;
   Starts starts_;
@@ -187,8 +187,8 @@ class Learner {
 
 }  // namespace
 
-KickMap learnKickMap(const KickMapPlan& plan, const KickMapListener& reported) {
-  return Learner(plan, reported).learn();
+KickMap learnKickMap(const KickMapPlan& plan, const KickMapListener& listener) {
+  return Learner(plan, listener).learn();
 }
 
 }  // namespace kelpie::learn

@@ -69,6 +69,6 @@ KickWindow windowOf(const KickGrid& grid);
 // Is called with how many of how many runs are done, from one thread at a time; `false` ends the
 // work, and the map is then empty.
 using KickMapListener = std::function<bool(std::size_t done, std::size_t all)>;
-KickMap learnKickMap(const KickMapPlan& plan, const KickMapListener& reported);
+KickMap learnKickMap(const KickMapPlan& plan, const KickMapListener& listener);
 
 }  // namespace kelpie::learn

@@ -62,11 +62,11 @@ Point2<Robot> meeting(const Sight& sight) {
 
 WalkRequest towards(const Sight& sight) {
   const Point2<Robot> at = meeting(sight);
-  const double lateral = std::atan2(-at.x, at.y);  // left
+  const double bearing = std::atan2(-at.x, at.y);  // left
   WalkRequest request;
-  request.turn = maths::clamp(kTurnGain * lateral, -3.0, 3.0);
+  request.turn = maths::clamp(kTurnGain * bearing, -3.0, 3.0);
   const double speed = at.y < kClose ? kSlow : kFast;
-  request.forward = speed * std::fmax(0.0, std::cos(1.5 * maths::clamp(lateral, -1.0, 1.0)));
+  request.forward = speed * std::fmax(0.0, std::cos(1.5 * maths::clamp(bearing, -1.0, 1.0)));
   if (at.y < kClose) request.left = maths::clamp(-kSideGain * at.x, -12.0, 12.0);
   return request;
 }

@@ -40,10 +40,10 @@ const std::array<Knob, 19> kKnobs{{
     {"hindLift", KELPIE_KNOB(gait.hindLift), 0.6, 5.0},
     {"hindStroke", KELPIE_KNOB(gait.hindStroke), 0.6, 1.5},
     {"lead", KELPIE_KNOB(gait.lead), 0.0, 1.0},
-    {"most.forward", KELPIE_KNOB(max.forward), 15.0, 90.0},
-    {"most.back", KELPIE_KNOB(max.back), 15.0, 80.0},
-    {"most.left", KELPIE_KNOB(max.left), 10.0, 60.0},
-    {"most.turn", KELPIE_KNOB(max.turn), 1.0, 8.0},
+    {"max.forward", KELPIE_KNOB(max.forward), 15.0, 90.0},
+    {"max.back", KELPIE_KNOB(max.back), 15.0, 80.0},
+    {"max.left", KELPIE_KNOB(max.left), 10.0, 60.0},
+    {"max.turn", KELPIE_KNOB(max.turn), 1.0, 8.0},
     {"acceleration", KELPIE_KNOB(gait.acceleration), 40.0, 250.0},
 }};
 

@@ -10,7 +10,7 @@
 namespace kelpie::sim {
 
 inline void makeFast(const RobotParams& robot, actuator::ActuatorParams& params) {
-  const auto reported = [&robot](double forward, double left, double turn) {
+  const auto odometryOf = [&robot](double forward, double left, double turn) {
     actuator::WalkOdometry odometry;
     odometry.forward.joints = forward * robot.ground.forward;
     odometry.left.joints = left * robot.ground.left;
@@ -18,8 +18,9 @@ inline void makeFast(const RobotParams& robot, actuator::ActuatorParams& params)
     return odometry;
   };
   for (std::uint8_t kind = 0; kind < kWalkKindCount; ++kind)
-    actuator::walkSet(params.walks, static_cast<WalkKind>(kind)).odometry = reported(1.0, 1.0, 1.0);
-  params.walks.weak.odometry = reported(robot.weak.forward, robot.weak.left, robot.weak.turn);
+    actuator::walkSet(params.walks, static_cast<WalkKind>(kind)).odometry =
+        odometryOf(1.0, 1.0, 1.0);
+  params.walks.weak.odometry = odometryOf(robot.weak.forward, robot.weak.left, robot.weak.turn);
   for (actuator::MotionData& motion : params.motions.of) motion.way = {};
   // Its legs push nothing and its accelerometer knows of no weight: loads mean nothing.
   params.feeling.stuckLoad = 1.0;

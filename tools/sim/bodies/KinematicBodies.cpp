@@ -170,12 +170,12 @@ void KinematicBodies::tickBallAmongRobots() {
   if (squeezed) holdUp({before.position, {}});
   if (kicks_.holder()) return holdUp(before);
   const auto bouncedOff = std::exchange(bouncedOff_, std::nullopt);
-  if (!touch.max) {
+  if (!touch.strongest) {
     if (!ballToucher_) ballToucher_ = bouncedOff;
     return;
   }
   auto& toucher = ballToucher_ ? bouncedOff_ : ballToucher_;
-  toucher = static_cast<std::size_t>(touching[*touch.max] - robots_.data());
+  toucher = static_cast<std::size_t>(touching[*touch.strongest] - robots_.data());
 }
 
 Status KinematicBodies::tick() {

@@ -84,7 +84,7 @@ void touch(Ball& ball, const RobotModel& robot, double t, const BallParams& para
 BallTouch tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
                    const std::vector<Obstacle>& obstacles, const BallParams& params) {
   constexpr double kNearby = 40.0;  // no part of a robot is further from its neck base
-  BallTouch reported;
+  BallTouch touched;
   std::optional<std::size_t> first;
   double max = 0.0;
   for (int step = 1; step <= kSteps; ++step) {
@@ -96,16 +96,16 @@ BallTouch tickBall(Ball& ball, const std::vector<const RobotModel*>& robots,
       touch(ball, *robots[i], t, params);
       if (distance(before.position, ball.position) <= 0.0) continue;
       if (!first) first = i;
-      reported.several = reported.several || *first != i;
+      touched.several = touched.several || *first != i;
       const double change = distance(before.velocity, ball.velocity);
       if (change <= max) continue;
       max = change;
-      reported.max = i;
+      touched.strongest = i;
     }
     bounce(ball, obstacles, params);
     limitSpeed(ball, params);
   }
-  return reported;
+  return touched;
 }
 
 }  // namespace kelpie::sim

@@ -12,8 +12,8 @@
 namespace kelpie::sim {
 
 struct BallTouch {
-  std::optional<std::size_t> max;  // who changed the ball's velocity the most
-  bool several = false;            // more than one robot touched it
+  std::optional<std::size_t> strongest;  // who changed the ball's velocity the most
+  bool several = false;                  // more than one robot touched it
 };
 
 // One tick of a ball among the robots that may touch it: rolls and touches, in steps of 2 ms
