@@ -77,7 +77,7 @@ ElevationError elevationErrorOf(const Scene& scene, const BeaconCandidate& c,
 
 LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c,
                           const BeaconFinderParams& p) {
-  constexpr double kMinVariance = 4.0;  // cm^2, however near
+  constexpr double kOwnVariance = 4.0;  // cm^2, however near
   const CameraPose& camera = scene.body.camera;
   const GroundRay ray = groundRayThrough(camera, c.middle);
   const Point2<Robot> place = placeAt(camera, ray, c.distance);
@@ -88,7 +88,7 @@ LandmarkPercept perceptOf(const Scene& scene, const BeaconCandidate& c,
   percept.heading = bearing(place);
   percept.elevation = Angle::rad(maths::atan(ray.slope));
   percept.distanceVariance =
-      maths::square(sizeSd(camera, c.distance, height, p.edgeSd)) + kMinVariance;
+      maths::square(sizeSd(camera, c.distance, height, p.edgeSd)) + kOwnVariance;
   percept.headingVariance = maths::square(p.headingSd.rad());
   percept.elevationError = elevationErrorOf(scene, c, p);
   percept.leftEdge = percept.heading;

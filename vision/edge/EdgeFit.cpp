@@ -78,7 +78,7 @@ void sortForDrawing(const EdgeEvidence& evidence, Pool& pool) {
 }
 
 constexpr std::uint32_t kFirstPool = 6;   // features to draw from in the first round,
-constexpr std::uint32_t kPoolGrowth = 3;  // and more in each
+constexpr std::uint32_t kPoolGrowth = 3;  // and so many more in each
 constexpr int kMinGap = 4;                // scan lines between two points, if possible
 constexpr int kMaxDraws = 5;              // of the second point for such a gap
 

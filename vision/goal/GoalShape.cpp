@@ -390,9 +390,8 @@ bool goalFacesField(const GoalShape& shape, const GoalFinderParams& p) {
 }
 
 GoalShape fitGoal(const Scene& scene, const GoalCandidate& c) {
-  constexpr double kSeenDepth =
-      0.7;  // of the goal's depth, from the mouth to the walls that are seen
-  constexpr double kMinDistance = 20.0;                    // cm, to the mouth
+  constexpr double kSeenDepth = 0.7;     // of the goal's, from mouth to walls seen
+  constexpr double kMinDistance = 20.0;  // cm, to the mouth
   constexpr std::array<double, 3> kTurns{-0.6, 0.0, 0.6};  // rad, to begin with
   const Measured m = measuredOf(scene, c);
   if (m.columns.empty()) return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any struct with a field list as a JSON object. A member `distanceVariance` in cm2 is called
 // `distance_variance_cm2`; angles are given in degrees (`heading_deg`), times in seconds; a struct
-// whose `present` is false is null. Enums are numbers unless `enumNames` has their names.
+// whose `present` is false is null. Enums are numbers.
 #pragma once
 
 #include <array>

@@ -129,10 +129,10 @@ class Judge {
   template <class Which>
   std::vector<Compared> comparedOf(const std::vector<std::optional<Compared>>& all,
                                    Which which) const {
-    std::vector<Compared> reported;
+    std::vector<Compared> runs;
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (all[i] && which(jobs_[i])) reported.push_back(*all[i]);
-    return reported;
+      if (all[i] && which(jobs_[i])) runs.push_back(*all[i]);
+    return runs;
   }
 
   std::optional<Compared> run(const Job& job) const {
@@ -143,13 +143,13 @@ class Judge {
                               random.uniform(job.grid->ahead.front(), job.grid->ahead.back())};
     const MotionKind other = learn::mirrored(job.grid->motion);
     const bool swapped = job.right && other != job.grid->motion;
-    Compared reported;
-    reported.place = place;
-    reported.said = learn::cellAt(*job.grid, {swapped ? -place.x : place.x, place.y});
-    if (swapped) reported.said.direction = -reported.said.direction;
+    Compared compared;
+    compared.place = place;
+    compared.said = learn::cellAt(*job.grid, {swapped ? -place.x : place.x, place.y});
+    if (swapped) compared.said.direction = -compared.said.direction;
     learn::LastSteps last;
     if (job.grid->from == KickFrom::walking) last = learn::drawLastSteps(random);
-    reported.walk = last.walk;
+    compared.walk = last.walk;
     const MotionKind motion = swapped ? other : job.grid->motion;
     const learn::KickStart& standing = standing_[job.model];
     const learn::KickRun kick =
@@ -157,9 +157,9 @@ class Judge {
             ? learn::kickFrom(place, motion, standing)
             : learn::kickInStep(place, motion,
                                 learn::walkingStart(standing, last.walk, last.messages), last.walk);
-    reported.kicked = kick.kicked;
-    if (!kick.counts || reported.said.runs == 0) return std::nullopt;
-    return reported;
+    compared.kicked = kick.kicked;
+    if (!kick.counts || compared.said.runs == 0) return std::nullopt;
+    return compared;
   }
 
   std::optional<Compared> held(const Job& job) const {
@@ -169,10 +169,10 @@ class Judge {
     hold.scatter = 0.6;
     const auto start = learn::beforeKick(hold, models_[job.model], job.seed);
     const MotionKind motion = job.grid->motion;
-    Compared reported;
-    reported.said = job.grid->window.whole;
-    reported.kicked = learn::tryKick(actuator::standardMotions()[motion], motion, start);
-    return reported;
+    Compared compared;
+    compared.said = job.grid->window.whole;
+    compared.kicked = learn::tryKick(actuator::standardMotions()[motion], motion, start);
+    return compared;
   }
 
   void trace(const std::vector<std::optional<Compared>>& all) const {
@@ -207,23 +207,23 @@ class Judge {
   }
 
   // How far the share of balls that went is from the reported chances, in bins of chances.
-  static double calibrationError(const std::vector<Compared>& reported) {
+  static double calibrationError(const std::vector<Compared>& runs) {
     double error = 0.0;
     for (std::size_t bin = 0; bin < kBins; ++bin) {
       double said = 0.0;
       double went = 0.0;
-      for (const Compared& one : reported) {
+      for (const Compared& one : runs) {
         const double share = one.said.went * static_cast<double>(kBins);
         if (std::min(static_cast<std::size_t>(share), kBins - 1) != bin) continue;
         said += one.said.went;
         went += one.went() ? 1.0 : 0.0;
       }
-      error += std::fabs(said - went) / static_cast<double>(reported.size());
+      error += std::fabs(said - went) / static_cast<double>(runs.size());
     }
     return error;
   }
 
-  static Json figuresOf(const std::vector<Compared>& reported) {
+  static Json figuresOf(const std::vector<Compared>& runs) {
     Share went;
     Share right;
     Share fell;
@@ -233,24 +233,24 @@ class Judge {
     Values distance;
     Values distanceSd;
     double brier = 0.0;
-    for (const Compared& one : reported) {
+    for (const Compared& one : runs) {
       went.count(one.went());
       right.count((one.said.went >= kLikely) == one.went());
       fell.count(one.kicked.fell);
       chances.push_back(one.said.went);
       brier += maths::square(one.said.went - (one.went() ? 1.0 : 0.0)) /
-               static_cast<double>(reported.size());
+               static_cast<double>(runs.size());
       if (!one.went() || one.said.went < kLikely) continue;
       direction.push_back((one.kicked.direction - one.said.direction).deg());
       directionSd.push_back(one.said.directionSd.deg());
       distance.push_back(one.kicked.distance - one.said.distance);
       distanceSd.push_back(one.said.distanceSd);
     }
-    Json json{{"runs", reported.size()},
+    Json json{{"runs", runs.size()},
               {"went_share", went.value()},
               {"said_share", mean(chances)},
               {"right_share", right.value()},
-              {"chance_off_share", calibrationError(reported)},
+              {"chance_off_share", calibrationError(runs)},
               {"brier", brier},
               {"fell_share", fell.value()}};
     addOff("direction_deg", direction, directionSd, json);

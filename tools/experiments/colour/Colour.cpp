@@ -221,7 +221,7 @@ struct Score {
 struct Scores {
   Score whole;
   std::array<Score, 3> zone;
-  double room = 0.0;
+  double surroundings = 0.0;
   double surroundingsColoured = 0.0;
 };
 
@@ -234,7 +234,7 @@ void addImage(const Image& image, const Image& ideal, const vision::VisionCalibr
       const auto truth = vision::index(wholeSurfaceAt(ideal, px, py));
       const std::size_t found = (*classes)[Image::at(px, py)];
       if (isSurroundings(ideal.pixel(px, py))) {
-        scores.room += 1.0;
+        scores.surroundings += 1.0;
         scores.surroundingsColoured += isColoured(found) ? 1.0 : 0.0;
       }
       if (truth == 0) continue;
@@ -297,7 +297,7 @@ void addScores(Json& out, const std::string& ending, const Scores& scores) {
   out["scene_class_mean" + ending] = scores.whole.classMean();
   out["scene_class_mean_corners" + ending] = scores.zone[2].classMean();
   out["surroundings_coloured_share" + ending] =
-      scores.surroundingsColoured / std::fmax(1.0, scores.room);
+      scores.surroundingsColoured / std::fmax(1.0, scores.surroundings);
 }
 
 Expected<Json> colour(const Request& request) {
