@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tools/league/JournalLines.h"
+
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
-
-#include "tools/league/JournalLines.h"
 
 namespace kelpie::league {
 namespace {
