@@ -50,8 +50,7 @@ Expected<Json> randomised(const Request& request) {
 }
 
 const Registration kRandomised(
-    "randomised",
-    "objects, localise, kidnap and a goal in randomised worlds beside the nominal one",
+    "randomised", "objects, localise, kidnap, a goal: randomised worlds beside the nominal",
     {Option::trials, Option::seed, Option::randomised}, 40, randomised);
 
 }  // namespace
