@@ -177,6 +177,39 @@ TEST_F(Log, TopicKeepsItsType) {
   EXPECT_EQ(readAll(pathOf("log")).messages, 1);
 }
 
+TEST_F(Log, BytesThatTheCallerEncodedAreKeptWithTheirEncodings) {
+  const ReadyType type{"other.Words", "protobuf", std::string("\x0a\x00schema", 8), "protobuf"};
+  LogWriter log = std::move(*LogWriter::open(pathOf("log"), defaultLogOptions(), ""));
+  log.write("one", TimeUs{1}, type, std::string("\x00\x01", 2));
+  log.write("two", TimeUs{2}, type, "last");
+  ASSERT_TRUE(log.close());
+  auto reader = LogReader::open(pathOf("log"));
+  LogMessage message;
+  ASSERT_TRUE(reader->next(message));
+  EXPECT_EQ(message.channel->messageEncoding, "protobuf");
+  EXPECT_EQ(message.schema().name, "other.Words");
+  EXPECT_EQ(message.schema().encoding, "protobuf");
+  EXPECT_EQ(message.schema().text, type.schema);
+  EXPECT_EQ(std::string(message.data, message.data + message.size), std::string("\x00\x01", 2));
+  ASSERT_TRUE(reader->next(message));
+  EXPECT_EQ(message.topic(), "two");
+  EXPECT_EQ(message.channel->schemaId, 1);  // no second copy of the schema
+}
+
+TEST_F(Log, TopicKeepsOursOrTheCallersType) {
+  const ReadyType type{"other.Words", "protobuf", "schema", "protobuf"};
+  LogWriter ours = std::move(*LogWriter::open(pathOf("ours")));
+  ours.write("walk", TimeUs{0}, WalkRequest{});
+  ours.write("walk", TimeUs{1}, type, "words");
+  EXPECT_NE(ours.close().error().find("topic walk holds kelpie/WalkRequest, not other.Words"),
+            std::string::npos);
+  LogWriter others = std::move(*LogWriter::open(pathOf("others")));
+  others.write("walk", TimeUs{0}, type, "words");
+  others.write("walk", TimeUs{1}, WalkRequest{});
+  EXPECT_NE(others.close().error().find("topic walk holds other.Words, not kelpie/WalkRequest"),
+            std::string::npos);
+}
+
 TEST_F(Log, ChecksumIsThatOfZip) {
   const std::string text = "123456789";  // check value of CRC-32/ISO-HDLC
   EXPECT_EQ(crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), 0xcbf43926U);

@@ -23,7 +23,8 @@ std::uint64_t nanoseconds(TimeUs time) {
 
 }  // namespace
 
-Expected<LogWriter> LogWriter::open(const std::string& path, const LogOptions& options) {
+Expected<LogWriter> LogWriter::open(const std::string& path, const LogOptions& options,
+                                    std::string_view profile) {
   std::unique_ptr<ChunkCompressor> compressor;
   if (options.chunks && !options.compression.empty()) {
     compressor = makeCompressor(options.compression);
@@ -35,7 +36,7 @@ Expected<LogWriter> LogWriter::open(const std::string& path, const LogOptions& o
   RecordWriter record(writer.buffer_);
   record.bytes(mcap::kMagic.data(), mcap::kMagic.size());
   record.begin(Op::header);
-  record.string("ros1");
+  record.string(profile);
   record.string("kelpie");
   record.end();
   writer.output_.write(writer.buffer_);
@@ -68,20 +69,24 @@ LogWriter& LogWriter::operator=(LogWriter&& other) noexcept {
 
 LogWriter::~LogWriter() { close(); }
 
-std::uint16_t LogWriter::schemaId(SchemaOf schema) {
-  const std::string name = schema.name();
+// 0: not in the log yet.
+std::uint16_t LogWriter::schemaId(const std::string& name) const {
   const auto found = std::find_if(schemas_.begin(), schemas_.end(),
                                   [&](const Schema& known) { return known.name == name; });
-  const auto id = static_cast<std::uint16_t>(found - schemas_.begin() + 1);
-  if (found != schemas_.end()) return id;
+  return found == schemas_.end() ? 0 : static_cast<std::uint16_t>(found - schemas_.begin() + 1);
+}
+
+std::uint16_t LogWriter::addSchema(const std::string& name, std::string_view encoding,
+                                   std::string_view text) {
+  const auto id = static_cast<std::uint16_t>(schemas_.size() + 1);
   schemas_.push_back({name, {}});
   std::vector<std::uint8_t>& bytes = schemas_.back().record;
   RecordWriter record(bytes);
   record.begin(Op::schema);
   record.number(id);
   record.string(name);
-  record.string("ros1msg");
-  record.string(schema.text());
+  record.string(encoding);
+  record.string(text);
   record.end();
   ++summary_.schemaCount;
   summary_.schemas.insert(summary_.schemas.end(), bytes.begin(), bytes.end());
@@ -89,8 +94,9 @@ std::uint16_t LogWriter::schemaId(SchemaOf schema) {
   return id;
 }
 
-const LogWriter::Channel& LogWriter::addChannel(std::string_view topic, SchemaOf schema) {
-  const std::uint16_t schemaNumber = schemaId(schema);
+const LogWriter::Channel& LogWriter::addChannel(std::string_view topic, SchemaOf schema,
+                                                std::uint16_t schemaNumber,
+                                                std::string_view encoding) {
   const auto id = static_cast<std::uint16_t>(channels_.size() + 1);
   std::vector<std::uint8_t> bytes;
   RecordWriter record(bytes);
@@ -98,7 +104,7 @@ const LogWriter::Channel& LogWriter::addChannel(std::string_view topic, SchemaOf
   record.number(id);
   record.number(schemaNumber);
   record.string(topic);
-  record.string("ros1");
+  record.string(encoding);
   record.map({});
   record.end();
   summary_.messageCounts.push_back(0);
@@ -106,21 +112,52 @@ const LogWriter::Channel& LogWriter::addChannel(std::string_view topic, SchemaOf
   buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
   const auto& schemaRecord = schemas_[schemaNumber - 1U].record;
   bytes.insert(bytes.begin(), schemaRecord.begin(), schemaRecord.end());
-  channels_.push_back({std::string(topic), schema, id, std::move(bytes), chunkNumber_});
+  channels_.push_back(
+      {std::string(topic), schema, id, schemaNumber, std::move(bytes), chunkNumber_});
   return channels_.back();
+}
+
+const LogWriter::Channel* LogWriter::refuse(const Channel& channel, const std::string& name) {
+  flush();
+  output_.fail("topic " + channel.topic + " holds " + schemas_[channel.schemaId - 1U].name +
+               ", not " + name);
+  return nullptr;
 }
 
 const LogWriter::Channel* LogWriter::channelFor(std::string_view topic, SchemaOf schema) {
   if (!output_.good()) return nullptr;
   for (const Channel& channel : channels_) {
     if (channel.topic != topic) continue;
-    if (channel.schema.text == schema.text) return &channel;
-    flush();
-    output_.fail("topic " + channel.topic + " holds " + channel.schema.name() + ", not " +
-                 schema.name());
-    return nullptr;
+    return channel.schema.text == schema.text ? &channel : refuse(channel, schema.name());
   }
-  return &addChannel(topic, schema);
+  const std::string name = schema.name();
+  const std::uint16_t known = schemaId(name);
+  const std::uint16_t id = known != 0 ? known : addSchema(name, "ros1msg", schema.text());
+  return &addChannel(topic, schema, id, "ros1");
+}
+
+const LogWriter::Channel* LogWriter::channelFor(std::string_view topic, const ReadyType& type) {
+  if (!output_.good()) return nullptr;
+  for (const Channel& channel : channels_) {
+    if (channel.topic != topic) continue;
+    const bool same =
+        channel.schema.text == nullptr && schemas_[channel.schemaId - 1U].name == type.name;
+    return same ? &channel : refuse(channel, type.name);
+  }
+  const std::uint16_t known = schemaId(type.name);
+  const std::uint16_t id =
+      known != 0 ? known : addSchema(type.name, type.schemaEncoding, type.schema);
+  return &addChannel(topic, {nullptr, nullptr}, id, type.messageEncoding);
+}
+
+void LogWriter::write(std::string_view topic, TimeUs time, const ReadyType& type,
+                      const std::string& bytes) {
+  buffer_.clear();
+  const Channel* channel = channelFor(topic, type);
+  if (channel == nullptr) return;
+  const std::size_t start = beginMessage(*channel, time);
+  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+  endMessage(*channel, start, time);
 }
 
 std::size_t LogWriter::beginMessage(const Channel& channel, TimeUs time) {

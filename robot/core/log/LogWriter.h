@@ -23,11 +23,22 @@
 
 namespace kelpie {
 
+// A type whose messages the caller encodes, in another way than ours: for files that are made for
+// other programs.
+struct ReadyType {
+  std::string name;             // "foxglove.Log"
+  std::string schemaEncoding;   // "protobuf"
+  std::string schema;           // its bytes
+  std::string messageEncoding;  // "protobuf"
+};
+
 class LogWriter {
  public:
-  // Replaces a file that exists.
+  // Replaces a file that exists. The profile tells other programs what to expect of the messages;
+  // none of those that MCAP lists fits every file.
   static Expected<LogWriter> open(const std::string& path,
-                                  const LogOptions& options = defaultLogOptions());
+                                  const LogOptions& options = defaultLogOptions(),
+                                  std::string_view profile = "ros1");
   LogWriter(LogWriter&& other) noexcept = default;
   LogWriter& operator=(LogWriter&& other) noexcept;
   ~LogWriter();  // closes
@@ -42,6 +53,9 @@ class LogWriter {
     encode(value, buffer_);
     endMessage(*channel, start, time);
   }
+
+  // The same for bytes that the caller has encoded.
+  void write(std::string_view topic, TimeUs time, const ReadyType& type, const std::string& bytes);
 
   // These two stand outside chunks and are written at once.
   void metadata(const std::string& name, const LogMap& entries);
@@ -61,12 +75,13 @@ class LogWriter {
  private:
   struct SchemaOf {
     std::string (*name)();
-    std::string (*text)();  // its address also tells types apart
+    std::string (*text)();  // its address also tells types apart; null: a ReadyType
   };
   struct Channel {
     std::string topic;
     SchemaOf schema;
     std::uint16_t id;
+    std::uint16_t schemaId;
     std::vector<std::uint8_t> definition;  // its records: schema and channel
     std::uint32_t definedIn;               // number of the last chunk that holds them
   };
@@ -77,8 +92,13 @@ class LogWriter {
 
   LogWriter(LogOutput output, LogOptions options, std::unique_ptr<ChunkCompressor> compressor);
   const Channel* channelFor(std::string_view topic, SchemaOf schema);
-  std::uint16_t schemaId(SchemaOf schema);
-  const Channel& addChannel(std::string_view topic, SchemaOf schema);
+  const Channel* channelFor(std::string_view topic, const ReadyType& type);
+  const Channel* refuse(const Channel& channel, const std::string& name);
+  std::uint16_t schemaId(const std::string& name) const;
+  std::uint16_t addSchema(const std::string& name, std::string_view encoding,
+                          std::string_view text);
+  const Channel& addChannel(std::string_view topic, SchemaOf schema, std::uint16_t schemaNumber,
+                            std::string_view encoding);
   std::size_t beginMessage(const Channel& channel, TimeUs time);
   void endMessage(const Channel& channel, std::size_t start, TimeUs time);
   void gather(Channel& channel, std::size_t start, std::uint64_t time);
