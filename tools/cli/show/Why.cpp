@@ -2,12 +2,12 @@
 // Why the robot did what it did, in sentences, from the traces that a log holds.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/options/Usage.h"
+#include "tools/match/DecisionChanges.h"
 #include "tools/match/Decisions.h"
 #include "tools/match/TraceWords.h"
 
@@ -82,62 +82,22 @@ int whyAt(const WhyOptions& options) {
   return ended(*log);
 }
 
-// The first step that was decided otherwise, numbers apart; the number of steps when none was.
-std::size_t firstChange(const Trace& before, const Trace& now) {
-  std::size_t i = 0;
-  while (i < before.size() && i < now.size() && before[i].layer == now[i].layer &&
-         before[i].module.view() == now[i].module.view() &&
-         before[i].branch.view() == now[i].branch.view() &&
-         before[i].reason.view() == now[i].reason.view())
-    ++i;
-  return i;
-}
-
-// One line for each change of what was decided.
-class Changes {
- public:
-  void take(const Decision& decision) {
-    const Trace& now = decision.command.trace;
-    const std::string instead = insteadOf(decision.driven, decision.command);
-    const std::size_t at = firstChange(before_.command.trace, now);
-    const bool same = at == now.size() && at == before_.command.trace.size();
-    const bool first = !before_.known;
-    before_ = kept(decision);
-    reported = reported || !now.empty() || !instead.empty();
-    if (!first && same && instead == instead_) return;
-    instead_ = instead;
-    lines += fmt::format("{:8.2f} s  {}\n", decision.seconds, words(now, at));
-  }
-  bool any() const { return before_.known; }
-
-  std::string lines;
-  bool reported = false;  // a reason at all
-
- private:
-  std::string words(const Trace& now, std::size_t at) const {
-    if (!instead_.empty()) return instead_;
-    if (now.empty()) return "no reason given";
-    const std::string reason = reasonOf(now[std::min(at, now.size() - 1)]);
-    return chainOf(now) + (reason.empty() ? "" : " - " + reason);
-  }
-
-  Kept before_;
-  std::string instead_;
-};
-
 int whyBetween(const WhyOptions& options) {
   const double from = std::isnan(options.from) ? 0.0 : options.from;
   const double to = std::isnan(options.to) ? kLongest : options.to;
   const std::string when = fmt::format("from {:g} to {:g} s", from, to);
   if (from > to)
     return fail(fmt::format("--from {:g} is after --to {:g}", from, to), kExitBadInput);
-  Changes changes;
-  const auto log =
-      readDecisions(options.log, {from, to}, [&](const Decision& d) { changes.take(d); });
+  DecisionChanges changes;
+  std::string lines;
+  const auto log = readDecisions(options.log, {from, to}, [&](const Decision& d) {
+    const std::string words = changes.take(d.driven, d.command);
+    if (!words.empty()) lines += fmt::format("{:8.2f} s  {}\n", d.seconds, words);
+  });
   if (!log) return fail(log.error(), kExitBadInput);
   if (!changes.any()) return noFrame(options, *log, when);
-  if (!changes.reported) return noTrace(options, when);
-  fmt::print("{}", changes.lines);
+  if (!changes.reported()) return noTrace(options, when);
+  fmt::print("{}", lines);
   return ended(*log);
 }
 
