@@ -21,6 +21,7 @@ void addWhy(CommandLine& app, int& code);
 void addTree(CommandLine& app, int& code);
 void addVectors(CommandLine& app, int& code);
 void addEvaluate(CommandLine& app, int& code);
+void addExport(CommandLine& app, int& code);
 void addFilm(CommandLine& app, int& code);
 void addBench(CommandLine& app, int& code);
 void addLeague(CommandLine& app, int& code);

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
   kelpie::cli::addTree(app, code);
   kelpie::cli::addVectors(app, code);
   kelpie::cli::addEvaluate(app, code);
+  kelpie::cli::addExport(app, code);
   kelpie::cli::addFilm(app, code);
   kelpie::cli::addBench(app, code);
   kelpie::cli::addLeague(app, code);
