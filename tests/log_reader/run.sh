@@ -20,7 +20,7 @@ refused() {
   fi
 }
 mkdir -p "$folder"
-cp "$here/package.json" "$here/.npmrc" "$here/check_log.mjs" "$folder/"
+cp "$here/package.json" "$here/.npmrc" "$here"/check_*.mjs "$folder/"
 cd "$folder"
 if ! [ -e node_modules/.complete ] || ! cmp -s package.json node_modules/.complete; then
   npm install --no-audit --no-fund --loglevel=error

@@ -74,7 +74,8 @@ std::string lacksOf(const Source& source) {
   const std::size_t damaged = source.messages.damaged();
   const std::string lacks = source.reader.lacks();
   if (damaged == 0) return lacks;
-  return lacks + (lacks.empty() ? "" : "; ") + std::to_string(damaged) + " messages are damaged";
+  return lacks + (lacks.empty() ? "" : "; ") + std::to_string(damaged) +
+         " damaged messages left out";
 }
 
 Expected<Exported> gather(const Sources& sources) {

@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <ctime>
-#include <iomanip>
 #include <memory>
-#include <sstream>
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
@@ -26,10 +24,8 @@ struct ExportOptions {
 
 Expected<TimeUs> timeOf(const std::string& words) {
   std::tm time{};
-  std::istringstream stream(words);
-  stream >> std::get_time(&time, "%Y-%m-%dT%H:%M:%S");
-  const std::string rest(std::istreambuf_iterator<char>(stream), {});
-  if (stream.fail() || (rest != "Z" && !rest.empty()))
+  const char* const rest = strptime(words.c_str(), "%Y-%m-%dT%H:%M:%S", &time);
+  if (rest == nullptr || (*rest != '\0' && std::string(rest) != "Z"))
     return Error{"--start " + words + ": is no time as 2006-06-14T10:00:00Z (UTC)"};
   return TimeUs{static_cast<std::int64_t>(timegm(&time)) * 1000000};
 }
