@@ -74,7 +74,8 @@ def test_of_a_cut_log_what_is_whole_is_exported(match, tmp_path):
     assert topics_of(tmp_path / "viewer.mcap")["/red1/pose"][1] > 10
 
 
-@pytest.mark.parametrize("start", ["yesterday", "2006", "2006-06-14T10:00", "2006-06-14T10:00:00+2"])
+@pytest.mark.parametrize("start", ["yesterday", "2006", "2006-06-14T10:00",
+                                   "2006-06-14T10:00:00+2"])
 def test_a_start_that_is_no_time_is_named(match, tmp_path, start):
     result = kelpie("export", match, "--out", tmp_path / "viewer.mcap", "--start", start)
     assert result.returncode == 2
