@@ -210,10 +210,11 @@ TEST_F(ParameterFile, EmptyFileChangesNothing) {
   EXPECT_TRUE(set.changes().empty());
 }
 
-// At the first three toml++'s own parser ends the program or leaves the language.
+// At the first four toml++'s own parser ends the program or leaves the language.
 TEST_F(ParameterFile, NoTextIsTooOddToBeRefusedInOneLine) {
   for (const char* text : {"[[[toy]\n", "[toy]\nspeed = 29.\u01e2\n", "\ufcff = 1\n",
-                           "[toy]\nenabled = tru\n\n", "[\"a\\nb\"]\n", "[toy]\n\"a\\nb\" = 1\n"}) {
+                           "10a.\"\"\"a\\\t\u01d0\"\"\" = 1\n", "[toy]\nenabled = tru\n\n",
+                           "[\"a\\nb\"]\n", "[toy]\n\"a\\nb\" = 1\n"}) {
     const std::string said = errorOf(text);
     EXPECT_EQ(said[0], ':') << said;
     EXPECT_EQ(said.find('\n'), std::string::npos) << said;
@@ -231,6 +232,8 @@ TEST_F(ParameterFile, LettersBeyondAsciiStandInQuotesAndCommentsAlone) {
     const std::string toy = "[toy]\nspeed = " + text;
     const std::string said = errorOf(toy + "\n");
     EXPECT_EQ(said.substr(0, 13), ":2: toy.speed") << said;
+    const std::string goesOn = errorOf("[toy]\nspeed = \"\"\"\\\\ a\\\n " + beyond + "\"\"\"\n");
+    EXPECT_EQ(goesOn.substr(0, 4), ":3: ") << goesOn;
     const std::string stray = errorOf(toy + beyond + "\n");
     EXPECT_NE(stray.find("a letter beyond ASCII stands neither"), std::string::npos) << stray;
   }

@@ -44,9 +44,23 @@ std::size_t behindQuoted(std::string_view text, std::size_t at) {
   return text.size();
 }
 
-// The first letter beyond ASCII that stands neither in quotes nor in a comment, where none is
-// right. Of those toml++ 3.3 asks whether they are white space, in a switch that lacks most of
-// them.
+bool isBeyondAscii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+
+// The first letter beyond ASCII behind a backslash and blanks, by which a quoted text of several
+// lines goes on at its next word.
+std::size_t letterThatGoesOn(std::string_view quoted) {
+  if (quoted.substr(0, 3) != "\"\"\"") return std::string_view::npos;
+  for (std::size_t at = quoted.find('\\'); at < quoted.size(); at = quoted.find('\\', at)) {
+    const std::size_t next = quoted.find_first_not_of(" \t\r\n\v\f", at + 1);
+    if (next != at + 1 && next < quoted.size() && isBeyondAscii(quoted[next])) return next;
+    at += 2;  // what is behind a backslash is no backslash of its own
+  }
+  return std::string_view::npos;
+}
+
+// The first letter beyond ASCII of which toml++ 3.3 asks whether it is white space, in a switch
+// that lacks most of them: neither in quotes nor in a comment, where none is right, or where a
+// quoted text goes on.
 std::size_t strayLetter(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::size_t at = text.substr(0, 3) == kByteOrderMark ? 3 : 0;
@@ -54,8 +68,11 @@ std::size_t strayLetter(std::string_view text) {
     if (text[at] == '#') {
       at = text.find('\n', at);
     } else if (text[at] == '"' || text[at] == '\'') {
-      at = behindQuoted(text, at);
-    } else if (static_cast<unsigned char>(text[at]) >= 0x80) {
+      const std::size_t behind = behindQuoted(text, at);
+      const std::size_t stray = letterThatGoesOn(text.substr(at, behind - at));
+      if (stray != std::string_view::npos) return at + stray;
+      at = behind;
+    } else if (isBeyondAscii(text[at])) {
       return at;
     } else {
       ++at;
@@ -75,7 +92,8 @@ Expected<toml::table> readToml(const std::string& path) {
     const auto end = text->begin() + static_cast<std::ptrdiff_t>(stray);
     const auto before = std::count(text->begin(), end, '\n');
     return Error{lineOf(1 + static_cast<std::size_t>(before)) +
-                 "a letter beyond ASCII stands neither in quotes nor in a comment"};
+                 "a letter beyond ASCII stands neither in quotes nor in a comment, or behind a "
+                 "backslash and blanks"};
   }
   toml::parse_result parsed = toml::parse(*text, path);
   if (parsed) return std::move(parsed).table();
