@@ -25,6 +25,11 @@ Expected<std::string> fileText(const std::string& path) {
   return text;
 }
 
+std::string_view withoutByteOrderMark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.substr(0, kMark.size()) == kMark ? text.substr(kMark.size()) : text;
+}
+
 // Behind the quoted text that begins at `at`; that of a single line ends with the line at the
 // latest.
 std::size_t behindQuoted(std::string_view text, std::size_t at) {
@@ -46,13 +51,13 @@ std::size_t behindQuoted(std::string_view text, std::size_t at) {
 
 bool isBeyondAscii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
-// The first letter beyond ASCII behind a backslash and blanks, by which a quoted text of several
-// lines goes on at its next word.
+// The first letter beyond ASCII behind a backslash, or behind the blanks after one, by which a
+// quoted text of several lines goes on at its next word.
 std::size_t letterThatGoesOn(std::string_view quoted) {
   if (quoted.substr(0, 3) != "\"\"\"") return std::string_view::npos;
   for (std::size_t at = quoted.find('\\'); at < quoted.size(); at = quoted.find('\\', at)) {
     const std::size_t next = quoted.find_first_not_of(" \t\r\n\v\f", at + 1);
-    if (next != at + 1 && next < quoted.size() && isBeyondAscii(quoted[next])) return next;
+    if (next < quoted.size() && isBeyondAscii(quoted[next])) return next;
     at += 2;  // what is behind a backslash is no backslash of its own
   }
   return std::string_view::npos;
@@ -62,8 +67,7 @@ std::size_t letterThatGoesOn(std::string_view quoted) {
 // that lacks most of them: neither in quotes nor in a comment, where none is right, or where a
 // quoted text goes on.
 std::size_t strayLetter(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  std::size_t at = text.substr(0, 3) == kByteOrderMark ? 3 : 0;
+  std::size_t at = 0;
   while (at < text.size()) {
     if (text[at] == '#') {
       at = text.find('\n', at);
@@ -81,24 +85,45 @@ std::size_t strayLetter(std::string_view text) {
   return std::string_view::npos;
 }
 
+// The same text with other letters in place of those beyond ASCII, as many different ones.
+std::string inAscii(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (isBeyondAscii(c))
+      out += {'x', kDigits[byte / kDigits.size()], kDigits[byte % kDigits.size()]};
+    else
+      out += c;
+  }
+  return out;
+}
+
+Expected<toml::table> parsed(std::string_view text, const std::string& path) {
+  toml::parse_result result = toml::parse(text, path);
+  if (result) return std::move(result).table();
+  const toml::parse_error& error = result.error();
+  return inOneLine(path + ':' + std::to_string(error.source().begin.line) + ": " +
+                   std::string(error.description()));
+}
+
 }  // namespace
 
 Expected<toml::table> readToml(const std::string& path) {
   const Expected<std::string> text = fileText(path);
   if (!text) return Error{text.error()};
-  const auto lineOf = [&](std::size_t line) { return path + ':' + std::to_string(line) + ": "; };
-  const std::size_t stray = strayLetter(*text);
+  const std::string_view body = withoutByteOrderMark(*text);
+  if (std::none_of(body.begin(), body.end(), isBeyondAscii)) return parsed(body, path);
+  const std::size_t stray = strayLetter(body);
   if (stray != std::string::npos) {
-    const auto end = text->begin() + static_cast<std::ptrdiff_t>(stray);
-    const auto before = std::count(text->begin(), end, '\n');
-    return Error{lineOf(1 + static_cast<std::size_t>(before)) +
-                 "a letter beyond ASCII stands neither in quotes nor in a comment, or behind a "
-                 "backslash and blanks"};
+    const auto end = body.begin() + static_cast<std::ptrdiff_t>(stray);
+    return Error{path + ':' + std::to_string(1 + std::count(body.begin(), end, '\n')) +
+                 ": a letter beyond ASCII stands neither in quotes nor in a comment, or behind a "
+                 "backslash"};
   }
-  toml::parse_result parsed = toml::parse(*text, path);
-  if (parsed) return std::move(parsed).table();
-  const toml::parse_error& error = parsed.error();
-  return inOneLine(lineOf(error.source().begin.line) + std::string(error.description()));
+  // Where quotes begin and end is known of sound files only.
+  const Expected<toml::table> sound = parsed(inAscii(body), path);
+  return sound ? parsed(body, path) : Error{sound.error()};
 }
 
 Error inOneLine(std::string error) {
