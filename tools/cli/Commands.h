@@ -16,6 +16,7 @@ void addInfo(CommandLine& app, int& code);
 void addRecover(CommandLine& app, int& code);
 void addImport(CommandLine& app, int& code);
 void addCompress(CommandLine& app, int& code);
+void addStudio(CommandLine& app, int& code);
 void addShow(CommandLine& app, int& code);
 void addWhy(CommandLine& app, int& code);
 void addTree(CommandLine& app, int& code);

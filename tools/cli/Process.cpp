@@ -30,7 +30,7 @@ void rememberInterrupt(int) { interruptSeen = 1; }
 
 // Runs in the child between fork and exec: only async-signal-safe calls. Who is woken by a message
 // waits for the core and does not push its sender off: a fast match of eight robots is 4 % faster.
-[[noreturn]] void becomeProgram(char* const* argv, int output, pid_t parent) {
+[[noreturn]] void becomeProgram(char* const* argv, int input, int output, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   signal(SIGINT, SIG_IGN);
   signal(SIGHUP, SIG_IGN);
@@ -39,6 +39,7 @@ void rememberInterrupt(int) { interruptSeen = 1; }
   if (getppid() != parent) _exit(127);
   const sched_param batch = {};
   (void)sched_setscheduler(0, SCHED_BATCH, &batch);
+  if (input >= 0) dup2(input, STDIN_FILENO);
   if (output >= 0) {
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
@@ -46,6 +47,20 @@ void rememberInterrupt(int) { interruptSeen = 1; }
   execv(argv[0], argv);
   _exit(127);
 }
+
+// Both ends are closed but for what is taken out.
+struct Pipe {
+  int ends[2] = {-1, -1};  // to read from, and to write to
+
+  Pipe() = default;
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    for (const int end : ends)
+      if (end >= 0) close(end);
+  }
+  bool open() { return pipe2(ends, O_CLOEXEC) == 0; }
+};
 
 // What the kernel tells of a process after its name, which may hold spaces: the state's letter is
 // word 0. Nothing when there is none.
@@ -61,11 +76,12 @@ std::vector<std::string> wordsOfStat(pid_t pid, bool ended) {
 
 }  // namespace
 
-Expected<Process> Process::start(const std::vector<std::string>& argv, bool readOutput) {
+Expected<Process> Process::start(const std::vector<std::string>& argv, bool readOutput,
+                                 bool hears) {
   if (access(argv[0].c_str(), X_OK) != 0)
     return Error{argv[0] + ": no such program; build it with tools/build host"};
-  int ends[2] = {-1, -1};
-  if (readOutput && pipe2(ends, O_CLOEXEC) != 0)
+  Pipe output, input;
+  if ((readOutput && !output.open()) || (hears && !input.open()))
     return Error{std::string("pipe: ") + std::strerror(errno)};
   std::vector<char*> words;
   words.reserve(argv.size() + 1);
@@ -73,15 +89,16 @@ Expected<Process> Process::start(const std::vector<std::string>& argv, bool read
   words.push_back(nullptr);
   const pid_t parent = getpid();
   const pid_t pid = fork();
-  if (pid == 0) becomeProgram(words.data(), ends[1], parent);
-  if (ends[1] >= 0) close(ends[1]);
+  if (pid == 0) becomeProgram(words.data(), input.ends[0], output.ends[1], parent);
   if (pid < 0) return Error{std::string("fork: ") + std::strerror(errno)};
-  return Process(pid, ends[0]);
+  if (hears) fcntl(input.ends[1], F_SETFL, O_NONBLOCK);
+  return Process(pid, std::exchange(output.ends[0], -1), std::exchange(input.ends[1], -1));
 }
 
 Process::Process(Process&& other) noexcept
     : pid_(std::exchange(other.pid_, -1)),
       output_(std::exchange(other.output_, -1)),
+      input_(std::exchange(other.input_, -1)),
       ended_(other.ended_),
       code_(other.code_),
       pending_(std::move(other.pending_)) {}
@@ -92,6 +109,14 @@ Process::~Process() {
     wait();
   }
   if (output_ >= 0) close(output_);
+  if (input_ >= 0) close(input_);
+}
+
+// A line is written whole or not at all, as long as it is shorter than a pipe's page.
+bool Process::say(const std::string& line) {
+  const std::string whole = line + "\n";
+  return input_ >= 0 &&
+         write(input_, whole.data(), whole.size()) == static_cast<ssize_t>(whole.size());
 }
 
 bool Process::readLine(std::string& line, int milliseconds) {

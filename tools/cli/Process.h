@@ -14,8 +14,10 @@ namespace kelpie::cli {
 
 class Process {
  public:
-  // argv[0] is the program's path. With `readOutput` all that it prints goes to readLine().
-  static Expected<Process> start(const std::vector<std::string>& argv, bool readOutput);
+  // argv[0] is the program's path. With `readOutput` all that it prints goes to readLine(), with
+  // `hears` its standard input is what is given to say().
+  static Expected<Process> start(const std::vector<std::string>& argv, bool readOutput,
+                                 bool hears = false);
   Process(Process&& other) noexcept;
   Process& operator=(Process&&) = delete;
   Process(const Process&) = delete;
@@ -24,6 +26,8 @@ class Process {
 
   // Next line of output; waits at most `milliseconds`. False: nothing yet, or ended().
   bool readLine(std::string& line, int milliseconds);
+  // False: it cannot hear, or hears too slowly.
+  bool say(const std::string& line);
   bool ended();             // has exited; its status is then known
   int wait();               // waits for the end; the exit code, or 128 + signal
   double computed() const;  // s that it has kept a processor busy; 0 when it is gone
@@ -32,11 +36,12 @@ class Process {
   void kill();              // stops it
 
  private:
-  Process(pid_t pid, int output) : pid_(pid), output_(output) {}
+  Process(pid_t pid, int output, int input) : pid_(pid), output_(output), input_(input) {}
   void reap(int status);
 
   pid_t pid_ = -1;
   int output_ = -1;
+  int input_ = -1;
   bool ended_ = false;
   int code_ = 0;
   std::string pending_;

@@ -41,6 +41,7 @@ struct AgentOptions {
   bool noImages = false;
   bool planes = false;
   bool plainLog = false;
+  bool patient = false;
   std::string driver;
   std::string radio = "world";
   std::uint16_t controller = 0;  // UDP port; 0: heard through the world
@@ -150,7 +151,9 @@ Expected<SourcePtr> openSource(const AgentOptions& options, const agent::AgentCo
     if (!recording) return Error{recording.error()};
     return SourcePtr(std::make_unique<host::RecordingSource>(std::move(*recording)));
   }
-  auto world = host::WorldSource::connect(options.socket, {config.team, config.player}, {});
+  host::ConnectionParams params;
+  if (options.patient) params.timeout = 0.0;
+  auto world = host::WorldSource::connect(options.socket, {config.team, config.player}, params);
   if (!world) return Error{world.error()};
   return SourcePtr(std::make_unique<host::WorldSource>(std::move(*world)));
 }
@@ -238,6 +241,7 @@ int main(int argc, char** argv) {
            "The log keeps class planes in place of images, and less of what is between them")
       .excludes(all);
   app.flag("--plain-log", options.plainLog, "The log's records go out one by one, uncompressed");
+  app.flag("--patient", options.patient, "A silent world is waited for: somebody has paused it");
   app.option("--pycode", options.pycode, "Behaviours, folder or zip");
   app.option("--player", options.config.player, "Number in the team")
       .check(kelpie::cli::integerInRange(1, 4));

@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
   kelpie::cli::addPlay(app, code);
   kelpie::cli::addGameController(app, code);
   kelpie::cli::addTeleop(app, code);
+  kelpie::cli::addStudio(app, code);
   kelpie::cli::addReplay(app, code);
   kelpie::cli::addInfo(app, code);
   kelpie::cli::addRecover(app, code);

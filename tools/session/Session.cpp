@@ -168,6 +168,9 @@ void hearAll(int milliseconds, const SessionTalk& talk, Processes& processes) {
   if (processes.agent->readLine(line, milliseconds)) processes.agentSaid.hear(line, talk);
   while (processes.world.readLine(line, 0)) processes.worldSaid.hear(line, talk);
   processes.others.hear([&](const std::string& said) { tell(said, talk); });
+  if (!talk.orders) return;
+  for (std::string order = talk.orders(); !order.empty(); order = talk.orders())
+    if (!processes.world.say(order)) tell("the world does not hear '" + order + "'", talk);
 }
 
 // Another robot that ends in trouble takes the match with it: the world may still wait for it. One
@@ -313,7 +316,7 @@ SessionTalk watchLogs(const SessionOptions& options, const SessionTalk& talk,
 
 void play(const SessionOptions& options, const SessionTalk& talk, const RunDirectory& runDirectory,
           SessionResult& result) {
-  auto world = Process::start(worldCommand(options, runDirectory), true);
+  auto world = Process::start(worldCommand(options, runDirectory), true, options.orders);
   auto agent = Process::start(agentCommand(options, runDirectory), true);
   auto others = Others::start(options, runDirectory);
   if (!world || !agent || !others) {

@@ -48,6 +48,9 @@ struct SessionTalk {
   std::function<void(bool own, double seconds)> goal;
   std::function<void(const MatchTime&)> time;
   std::function<bool()> over;
+  // The next order of a person who watches, as a line of tools/sim/staging/LiveOrder.h; empty:
+  // none. Asked again and again.
+  std::function<std::string()> orders;
   std::function<Status()> logs;  // before logs are joined into their places
   std::function<void(const std::string& agentLog, const std::string& worldLog)> frames;
   // So with keepAll: the logs of all robots.

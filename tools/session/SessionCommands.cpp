@@ -53,6 +53,7 @@ Words anyAgent(const SessionOptions& options, const std::string& team, std::uint
                 options.radio == "udp" ? "udp" : "world",
                 options.physical ? "--physical" : "--fast"};
   addUnlessEmpty("--colour-table", options.colourTable, argv);
+  if (options.orders) argv.push_back("--patient");
   if (life > 0) argv.push_back("--again");
   return argv;
 }
@@ -88,6 +89,8 @@ Words worldCommand(const SessionOptions& options, const RunDirectory& runDirecto
     argv.insert(argv.end(), {"--game-controller", std::to_string(options.controller)});
   argv.push_back("--respawn");  // who may come again is the session's to say
   if (options.realTime) argv.push_back("--real-time");
+  if (options.orders) argv.push_back("--orders");
+  if (options.live) argv.push_back("--plain-log");
   if (options.keepsLog())
     argv.insert(argv.end(), {"--truth", partPath(options, runDirectory, "world.mcap")});
   for (const auto& artefact : options.artefactsOff) argv.push_back("--no-" + artefact);
@@ -145,6 +148,7 @@ Words otherCommand(const SessionOptions& options, const OtherRobot& robot,
   if (options.keepAll || options.allLogs)
     argv.insert(argv.end(), {options.keepAll ? "--no-images" : "--planes", "--log",
                              otherLog(options, runDirectory, robot, life)});
+  if (options.live) argv.push_back("--plain-log");
   addUnlessEmpty("--pycode", robot.pycode, argv);
   addEach("--params", robot.params, argv);
   addEach("--set", robot.set, argv);

@@ -57,6 +57,8 @@ struct SessionOptions {
   ImagesKept images = ImagesKept::some;  // of that log
   bool allLogs = false;   // beside it those of all other robots, with class planes: red-1.mcap
   bool realTime = false;  // no faster than a clock
+  bool live = false;      // logs are written so that who watches reads each message at once
+  bool orders = false;    // the world hears SessionTalk::orders, and agents wait while it stands
   std::string driver;     // socket of who drives the robot; empty: the behaviours play
   std::vector<OtherRobot> others;
   sim::Staging staging;     // places and throws beside the scenario's

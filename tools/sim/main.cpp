@@ -2,13 +2,13 @@
 // kelpie-world: the simulated match as a process. Waits for its agents at a Unix socket, plays one
 // match with them in lock step, writes what really happened, and ends.
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "robot/host/radio/UdpControl.h"
@@ -19,6 +19,8 @@
 #include "tools/cli/options/Usage.h"
 #include "tools/sim/referee/UnusedControl.h"
 #include "tools/sim/staging/Staging.h"
+#include "tools/sim/world/OrderDesk.h"
+#include "tools/sim/world/Pace.h"
 #include "tools/sim/world/Server.h"
 
 namespace kelpie::sim {
@@ -35,6 +37,8 @@ struct Options {
   bool tellGoals = false;
   bool tellTime = false;
   bool realTime = false;
+  bool orders = false;  // of a person, on standard input
+  bool plainLog = false;
   bool respawn = false;
   std::uint16_t controller = 0;  // UDP port where a game controller is heard; 0: the world rules
   double wait = 60.0;            // s for the agents to come
@@ -130,21 +134,6 @@ class TimeTeller {
   TimeUs next_;
 };
 
-// Keeps a match no faster than a clock.
-class Pace {
- public:
-  void operator()(TimeUs now) {
-    const auto due = start_ + std::chrono::microseconds(now.us);
-    const auto late = std::chrono::steady_clock::now() - due;
-    // After a stall (a script that hung) time goes on from there; it does not catch up.
-    if (late > std::chrono::milliseconds(200)) start_ += late;
-    std::this_thread::sleep_until(due);
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 // Hears a game controller for the world, and says of what it makes nothing.
 class ControlDesk {
  public:
@@ -182,7 +171,8 @@ std::optional<Agent> arrival(host::Listener& listener) {
   return std::move(*agent);
 }
 
-ServerHooks hooks(const Options& options, host::Listener& listener, const World& world) {
+ServerHooks hooks(const Options& options, host::Listener& listener, const World& world, Pace& pace,
+                  const std::function<void()>& hear) {
   ServerHooks hooks;
   if (options.respawn) hooks.arrival = [&listener] { return arrival(listener); };
   hooks.tell = tellLine;
@@ -190,17 +180,16 @@ ServerHooks hooks(const Options& options, host::Listener& listener, const World&
   hooks.stopped = cli::interrupted;
   std::optional<TimeTeller> teller;
   if (options.tellTime) teller.emplace(world);
-  std::optional<Pace> pace;
-  if (options.realTime) pace.emplace();
-  hooks.beforeStep = [teller, pace](TimeUs now) mutable {
+  hooks.beforeStep = [teller, &pace, hear](TimeUs now) mutable {
     if (teller) (*teller)(now);
-    if (pace) (*pace)(now);
+    pace.await(now, hear, cli::interrupted);
   };
   return hooks;
 }
 
 // A world that is killed loses half a second of it.
-LogOptions truthLogOptions() {
+LogOptions truthLogOptions(bool plain) {
+  if (plain) return {};
   LogOptions options = defaultLogOptions();
   options.chunkUs = 400000;
   return options;
@@ -225,7 +214,7 @@ Status play(const Options& options) {
   if (!staging) return Error{staging.error()};
   std::optional<LogWriter> log;
   if (!options.truth.empty()) {
-    auto opened = LogWriter::open(options.truth, truthLogOptions());
+    auto opened = LogWriter::open(options.truth, truthLogOptions(options.plainLog));
     if (!opened) return Error{opened.error()};
     log = std::move(*opened);
   }
@@ -244,7 +233,9 @@ Status play(const Options& options) {
   const auto setup = stagedScenario(options.scenario, *field, hellos, options.seed, *staging);
   if (!setup) return Error{setup.error()};
   World world(worldParams(options), *field, *setup, options.seed);
-  ServerHooks heard = hooks(options, *listener, world);
+  Pace pace(options.realTime ? 1.0 : 0.0);
+  OrderDesk orders(options.orders ? STDIN_FILENO : -1, world, pace, *field, hellos, tellLine);
+  ServerHooks heard = hooks(options, *listener, world, pace, [&] { orders.hear(); });
   if (desk) heard.hear = [&] { desk->hear(world); };
   if (log) watchLog(*log, heard);
   const Status played = Server(world, *agents, log ? &*log : nullptr, heard).run();
@@ -290,6 +281,10 @@ void describe(cli::CommandLine& app, Options& options) {
   app.option("--radio-range", options.world.radio.range, "cm that a packet reaches")
       .check(cli::inRange(0.0, 1e5));
   app.flag("--real-time", options.realTime, "no faster than a clock");
+  app.flag("--orders", options.orders,
+           "what a person orders, in lines on standard input: pause, resume, step, speed, ball, "
+           "carry (tools/sim/staging/LiveOrder.h)");
+  app.flag("--plain-log", options.plainLog, "the log's records go out one by one, uncompressed");
   app.option("--wait", options.wait, "seconds until the agents must be there")
       .check(cli::inRange(0.0, 1e5));
   app.flag("--no-ring", options.noRing, "no ring effect");

@@ -15,6 +15,7 @@
 #include "tools/cli/Progress.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/log/Logs.h"
+#include "tools/cli/match/Watch.h"
 #include "tools/cli/options/Config.h"
 #include "tools/cli/options/StagingOptions.h"
 #include "tools/cli/show/Film.h"
@@ -48,6 +49,8 @@ struct PlayOptions {
   bool noFilm = false;
   bool ownFolder = false;               // nobody named another than `out`
   std::function<Status()> moveEarlier;  // as SessionTalk::logs
+  WatchOptions watched;
+  std::unique_ptr<Watch> watch;
 
   std::string file(const char* name) const { return out + "/" + name; }
 };
@@ -213,6 +216,7 @@ SessionResult runTeams(const PlayOptions& options) {
     talk.line(fmt::format("GOAL of {} after {:.1f} s", red ? "red" : "blue", seconds));
   };
   talk.logs = options.moveEarlier;
+  if (options.watch) options.watch->listenTo(talk);
   SessionResult result = runSession(options.session, talk);
   progress.finish();
   return result;
@@ -238,6 +242,7 @@ SessionResult runAlone(const PlayOptions& options) {
     fmt::print(stderr, "waiting in the initial state for a game controller at UDP port {}\n",
                options.session.controller);
   talk.logs = options.moveEarlier;
+  if (options.watch) options.watch->listenTo(talk);
   SessionResult result = runSession(options.session, talk);
   live.finish();
   return result;
@@ -288,6 +293,16 @@ int tellMatch(const PlayOptions& options, const SessionResult& result, double to
   return exitCode(options, result);
 }
 
+Status beginWatch(PlayOptions& options) {
+  prepareWatched(options.watched, options.session);
+  if (!options.watched.any()) return Done{};
+  auto watch = Watch::begin(options.watched, options.session, options.out);
+  if (!watch) return Error{watch.error()};
+  options.watch = std::move(*watch);
+  for (const std::string& line : options.watch->lines()) fmt::print(stderr, "{}\n", line);
+  return Done{};
+}
+
 // The match before moves away when the logs of this one take its place.
 int playInto(MatchFolder& folder, PlayOptions& options) {
   for (const auto& note : folder.notes()) fmt::print(stderr, "{}\n", note);
@@ -296,11 +311,15 @@ int playInto(MatchFolder& folder, PlayOptions& options) {
   options.session.images = imagesKept(options.images);
   options.session.allLogs = options.logs == "all" && !options.session.others.empty();
   options.moveEarlier = [&folder] { return folder.moveEarlier(); };
+  const Status watched = beginWatch(options);
+  if (!watched) return fail(watched.error(), kExitBadInput);
   const auto start = std::chrono::steady_clock::now();
   const SessionResult result = runShown(options);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   if (result.logged && options.ownFolder) folder.forgetAllBut(kEarlierMatches);
-  return tellMatch(options, result, took.count());
+  const int code = tellMatch(options, result, took.count());
+  if (options.watch && code == kExitDone) options.watch->stay();
+  return code;
 }
 
 int play(PlayOptions& options) {
@@ -360,7 +379,7 @@ void addTeamOptions(CommandLine& command, PlayOptions& options) {
 void settle(const CommandLine& command, PlayOptions& options) {
   SessionOptions& session = options.session;
   const auto said = [&](const char* option) { return command.count(option) > 0; };
-  session.realTime = session.realTime || said("--game-controller");
+  session.realTime = session.realTime || said("--game-controller") || options.watched.studio;
   const bool teams = said("--robots") || said("--red") || said("--blue");
   if (session.realTime && !said("--seconds")) session.seconds = kLongestMatch;
   if (said("--minutes")) session.seconds = 60.0 * options.minutes;
@@ -434,6 +453,7 @@ void addPlay(CommandLine& app, int& code) {
                "No faster than a clock, and until Ctrl-C unless --seconds or --goals say "
                "otherwise: for editing pycode/ while it plays");
   addTeamOptions(command, *options);
+  addWatchOptions(command, options->watched);
   command.flag("--no-film", options->noFilm, "Leave out match.mp4");
   command.callback([=, &code] {
     settle(command, *options);

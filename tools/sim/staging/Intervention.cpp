@@ -23,6 +23,24 @@ Intervention::Intervention(const Setup& setup, const body::FieldDescription& fie
   for (const RobotCarry& one : setup.carries) carries_.push_back({one});
 }
 
+void Intervention::putBall(TimeUs now, Point2<Field> place) {
+  const BallTake put{now.seconds(), 0.0, place};
+  const auto next = takes_.begin() + static_cast<std::ptrdiff_t>(taken_);
+  if (away_)
+    *next = put;
+  else
+    takes_.insert(next, put);
+}
+
+void Intervention::carry(const RobotCarry& order) {
+  const auto same = [&](const Carrying& one) {
+    return !one.done && one.order.robot.team == order.robot.team &&
+           one.order.robot.player == order.robot.player && one.order.time <= order.time;
+  };
+  carries_.erase(std::remove_if(carries_.begin(), carries_.end(), same), carries_.end());
+  carries_.push_back({order});
+}
+
 void Intervention::record(const MatchScene& scene, EventKind kind) {
   MatchEvent event;
   event.time = scene.time;

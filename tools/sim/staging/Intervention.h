@@ -16,6 +16,11 @@ class Intervention {
  public:
   Intervention(const Setup& setup, const body::FieldDescription& field);
 
+  // Somebody puts the ball there now; one that was away is back with that.
+  void putBall(TimeUs now, Point2<Field> place);
+  // Somebody carries a robot from that time on. Of one robot the last order counts.
+  void carry(const RobotCarry& order);
+
   // What is due at the scene's time.
   Verdict step(const MatchScene& scene);
   bool ballAway() const { return away_; }

@@ -97,12 +97,6 @@ bool standsInSomething(const body::FieldDescription& field, const Pose2& pose) {
                      [&](const Obstacle& obstacle) { return standsIn(obstacle, pose); });
 }
 
-Status checkBall(const body::FieldDescription& field, const Ball& ball) {
-  if (!onField(field, ball.position))
-    return Error{"the ball at " + placeWords(ball.position) + " is off the field"};
-  return Done{};
-}
-
 // Nobody stands in anything. Robots that the scenario placed are checked too.
 Status checkPlayerCount(const body::FieldDescription& field, const Setup& setup) {
   for (std::size_t i = 0; i < setup.players.size(); ++i) {
@@ -147,12 +141,8 @@ Status checkTakes(const body::FieldDescription& field, const Setup& setup) {
 Status checkCarries(const body::FieldDescription& field,
                     const std::vector<host::AgentHello>& agents, const Staging& staging) {
   for (const RobotCarry& carry : staging.carries) {
-    const std::string name = nameOf(carry.robot);
-    if (!isAmong(agents, carry.robot)) return Error{"no " + name + " is there to be carried"};
-    if (!onField(field, carry.pose.position))
-      return Error{name + " at " + placeWords(carry.pose.position) + " is off the field"};
-    if (standsInSomething(field, carry.pose))
-      return Error{name + " would stand in a goal or beacon"};
+    const Status checked = checkCarry(field, agents, carry);
+    if (!checked) return checked;
   }
   return Done{};
 }
@@ -197,6 +187,22 @@ void takePlaces(const std::vector<host::AgentHello>& agents, const Staging& stag
 }
 
 }  // namespace
+
+Status checkBall(const body::FieldDescription& field, const Ball& ball) {
+  if (!onField(field, ball.position))
+    return Error{"the ball at " + placeWords(ball.position) + " is off the field"};
+  return Done{};
+}
+
+Status checkCarry(const body::FieldDescription& field, const std::vector<host::AgentHello>& agents,
+                  const RobotCarry& carry) {
+  const std::string name = nameOf(carry.robot);
+  if (!isAmong(agents, carry.robot)) return Error{"no " + name + " is there to be carried"};
+  if (!onField(field, carry.pose.position))
+    return Error{name + " at " + placeWords(carry.pose.position) + " is off the field"};
+  if (standsInSomething(field, carry.pose)) return Error{name + " would stand in a goal or beacon"};
+  return Done{};
+}
 
 Expected<RobotPlace> placeFrom(const std::string& words) {
   const std::vector<std::string> parts = partsOf(words);

@@ -38,6 +38,11 @@ Expected<BallThrow> throwFrom(const std::string& words);
 Expected<BallTake> takeFrom(const std::string& words);
 Expected<RobotCarry> carryFrom(const std::string& words);
 
+// Whether the ball may be put there, and that robot carried there; an error says why not.
+Status checkBall(const body::FieldDescription& field, const Ball& ball);
+Status checkCarry(const body::FieldDescription& field, const std::vector<host::AgentHello>& agents,
+                  const RobotCarry& carry);
+
 struct StagingWords {
   std::vector<std::string> places;
   std::string ball;  // empty: the scenario's

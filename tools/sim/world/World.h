@@ -70,6 +70,8 @@ class World {
   // 0.2 s. Refuses a robot that is not
   // there and a pose that is not finite or off the ground that robots may walk on.
   Status carry(std::size_t robot, const Pose2& pose);
+  // What a person does to the match while it is played.
+  Intervention& interventions() { return interventions_; }
   // Somebody holds a robot's trunk: it goes only 1 - share of what its legs walk, until the next
   // call. Refuses shares outside 0 to 1.
   Status hold(std::size_t robot, double share);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tools/live/Feed.h"
+
+namespace kelpie::live {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds kLookEvery{200};  // for logs that are new
+constexpr std::uint64_t kLate = 1U << 19;  // bytes behind: five whole frames with their images
+
+// Of a file or folder, as long as it is there; else 0.
+std::uint64_t numberOf(const std::string& path) {
+  struct stat info {};
+  return stat(path.c_str(), &info) == 0 ? static_cast<std::uint64_t>(info.st_ino) : 0;
+}
+
+std::vector<std::string> logsIn(const std::string& folder) {
+  std::vector<std::string> logs;
+  std::error_code error;
+  for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error))
+    if (i->path().extension() == ".mcap") logs.push_back(i->path().string());
+  std::sort(logs.begin(), logs.end());
+  return logs;
+}
+
+}  // namespace
+
+TimeUs wallTime() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return {std::chrono::duration_cast<std::chrono::microseconds>(now).count()};
+}
+
+FolderFeed::FolderFeed(std::string folder, Hub& viewers, Hub& studio)
+    : folder_(std::move(folder)), viewers_(viewers), studio_(studio) {}
+
+void FolderFeed::begin() {
+  if (begunBefore_) viewers_.restart();
+  if (begunBefore_) studio_.restart();
+  begunBefore_ = playing_ = true;
+  followers_.clear();
+  known_.clear();
+  relay_ = std::make_unique<Relay>(wallTime(), viewers_, studio_);
+}
+
+void FolderFeed::end() {
+  playing_ = false;
+  viewers_.say("the match is over");
+  studio_.say("the match is over");
+}
+
+// A log is followed from its beginning as soon as it has one. One that was joined and removed is
+// read to its end all the same.
+void FolderFeed::look() {
+  const std::string playing = (fs::path(folder_) / "playing").string();
+  const std::uint64_t number = numberOf(playing);
+  if (number == 0 && playing_) end();
+  if (number != 0 && (!playing_ || number != folderNumber_)) begin();
+  folderNumber_ = number;
+  for (const std::string& path : logsIn(playing)) {
+    if (known_.count(path) > 0) continue;
+    auto tail = LogTail::open(path);
+    if (!tail) continue;  // its first bytes are not written yet
+    known_.insert(path);
+    followers_.push_back({std::move(*tail), relay_->addLog()});
+  }
+}
+
+void FolderFeed::poll() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now >= nextLook_) {
+    nextLook_ = now + kLookEvery;
+    look();
+  }
+  LogMessage message;
+  for (Follower& follower : followers_) {
+    const bool late = follower.tail.behind() > kLate;
+    while (follower.tail.next(message)) relay_->take(follower.log, message, late);
+  }
+}
+
+}  // namespace kelpie::live

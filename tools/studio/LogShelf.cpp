@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/studio/LogShelf.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "robot/core/log/LogIndex.h"
+#include "robot/core/log/LogReader.h"
+#include "tools/cli/log/Logs.h"
+
+namespace kelpie::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Whether its summary says where its chunks are.
+bool isIndexed(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::error_code error;
+  const std::vector<std::uint8_t> summary = readSummary(file, fs::file_size(path, error));
+  mcap::ContentReader content(summary.data(), summary.size());
+  while (content.left() > 0 && content.good())
+    if (content.record().op == mcap::Op::chunkIndex) return true;
+  return false;
+}
+
+std::uint64_t sizeOf(const std::string& path) {
+  std::error_code error;
+  const auto size = fs::file_size(path, error);
+  return error ? 0 : size;
+}
+
+}  // namespace
+
+std::vector<std::string> logsOf(const std::string& folder) {
+  std::vector<std::string> logs;
+  std::error_code error;
+  for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error))
+    if (i->path().extension() == ".mcap") logs.push_back(i->path().string());
+  std::sort(logs.begin(), logs.end());
+  return logs;
+}
+
+Status LogShelf::add(const std::string& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return addFolder(path);
+  const auto reader = LogReader::open(path);
+  if (!reader) return Error{reader.error()};
+  if (!isIndexed(path)) return addWhole(path);
+  logs_.push_back({fs::path(path).filename().string(), path, sizeOf(path), {}});
+  return Done{};
+}
+
+Status LogShelf::addWhole(const std::string& path) {
+  const std::string copy = temporary("log-" + std::to_string(copies_++) + ".mcap");
+  const auto joined = cli::mergeLogs({path}, copy);
+  if (!joined) return Error{joined.error()};
+  ShelvedLog log{fs::path(path).filename().string(), copy, sizeOf(copy), joined->lacks};
+  if (joined->messages == 0) return Error{path + ": holds nothing that can be shown"};
+  if (joined->damaged > 0)
+    log.notes.push_back(std::to_string(joined->damaged) + " damaged messages are left out");
+  logs_.push_back(std::move(log));
+  return Done{};
+}
+
+Status LogShelf::addFolder(const std::string& folder) {
+  for (const std::string& path : logsOf(folder)) {
+    const Status added = add(path);
+    if (!added) return added;
+  }
+  return Done{};
+}
+
+}  // namespace kelpie::studio

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// A connection that has become a WebSocket. What it says waits in a queue; a peer that stops
+// reading for too long is hung up on, and its room decides what is said to it until then.
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
+
+#include "tools/web/Connection.h"
+
+namespace kelpie::web {
+
+void enterRoom(boost::asio::ip::tcp::socket socket,
+               boost::beast::http::request<boost::beast::http::string_body> request, Room& room,
+               Shared& shared);
+
+}  // namespace kelpie::web
