@@ -50,7 +50,7 @@ class FolderFeed : public Feed {
   bool begunBefore_ = false;
 };
 
-// Recorded logs, played by the clock, once.
+// Recorded logs, played by the clock, once, from when somebody watches.
 class PlaybackFeed : public Feed {
  public:
   static Expected<std::unique_ptr<PlaybackFeed>> open(const std::vector<std::string>& logs,
@@ -66,18 +66,18 @@ class PlaybackFeed : public Feed {
     LogMessage message;
     bool more = false;
   };
-  PlaybackFeed(Hub& viewers, Hub& studio, TimeUs start) : relay_(start, viewers, studio) {}
+  PlaybackFeed(Hub& viewers, Hub& studio)
+      : viewers_(viewers), studio_(studio), relay_(wallTime(), viewers, studio) {}
   Source* oldest();
   TimeUs timeAt(Clock::time_point now) const;
 
+  Hub& viewers_;
+  Hub& studio_;
   Relay relay_;
   std::vector<std::unique_ptr<Source>> sources_;
   std::optional<Clock::time_point> start_;
   TimeUs first_;
   bool ended_ = false;
 };
-
-// When the match's time was 0, if it is `time` now; microseconds of the wall clock.
-TimeUs wallTime();
 
 }  // namespace kelpie::live

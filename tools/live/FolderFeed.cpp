@@ -31,11 +31,6 @@ std::vector<std::string> logsIn(const std::string& folder) {
 
 }  // namespace
 
-TimeUs wallTime() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return {std::chrono::duration_cast<std::chrono::microseconds>(now).count()};
-}
-
 FolderFeed::FolderFeed(std::string folder, Hub& viewers, Hub& studio)
     : folder_(std::move(folder)), viewers_(viewers), studio_(studio) {}
 

@@ -7,7 +7,7 @@ namespace kelpie::live {
 
 Expected<std::unique_ptr<PlaybackFeed>> PlaybackFeed::open(const std::vector<std::string>& logs,
                                                            Hub& viewers, Hub& studio) {
-  std::unique_ptr<PlaybackFeed> feed(new PlaybackFeed(viewers, studio, wallTime()));
+  std::unique_ptr<PlaybackFeed> feed(new PlaybackFeed(viewers, studio));
   for (const std::string& path : logs) {
     auto reader = LogReader::open(path);
     if (!reader) return Error{reader.error()};
@@ -35,6 +35,7 @@ TimeUs PlaybackFeed::timeAt(Clock::time_point now) const {
 
 void PlaybackFeed::poll() {
   const auto now = Clock::now();
+  if (!start_ && !viewers_.hasPeers() && !studio_.hasPeers()) return;
   if (!start_) start_ = now;
   const TimeUs due = timeAt(now);
   Source* next = oldest();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/live/Relay.h"
 
+#include <chrono>
 #include <memory>
 
 #include "robot/agent/log/FrameMessages.h"
@@ -29,6 +30,11 @@ std::string robotOf(const LogMessage& configuration) {
 }
 
 }  // namespace
+
+TimeUs wallTime() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return {std::chrono::duration_cast<std::chrono::microseconds>(now).count()};
+}
 
 void HubSink::take(const std::string& topic, TimeUs time,
                    const google::protobuf::Message& message) {

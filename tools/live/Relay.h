@@ -20,6 +20,9 @@
 
 namespace kelpie::live {
 
+// The clock on the wall, since 1970.
+TimeUs wallTime();
+
 // Messages for viewers that go to a hub.
 class HubSink : public viewer::MessageSink {
  public:

@@ -26,7 +26,8 @@ struct Studio::Parts {
   LogShelf shelf;
   live::Hub viewers;
   live::Hub studio;
-  live::FolderFeed* folder = nullptr;  // the feed, if it is one
+  live::FolderFeed* folder = nullptr;      // the feed, if it is one
+  live::PlaybackFeed* playback = nullptr;  // so
   std::unique_ptr<live::Feed> feed;
   std::unique_ptr<Site> site;
   std::optional<web::Server> server;
@@ -51,9 +52,10 @@ Status Studio::Parts::beginFeed() {
     feed = std::move(following);
   }
   if (!options.byTheClock) return Done{};
-  auto playback = live::PlaybackFeed::open(options.logs, viewers, studio);
-  if (!playback) return Error{playback.error()};
-  feed = std::move(*playback);
+  auto opened = live::PlaybackFeed::open(options.logs, viewers, studio);
+  if (!opened) return Error{opened.error()};
+  playback = opened->get();
+  feed = std::move(*opened);
   return Done{};
 }
 
@@ -112,6 +114,8 @@ Expected<std::unique_ptr<Studio>> Studio::open(const StudioOptions& options) {
 }
 
 std::string Studio::url() const { return parts_->server->url(); }
+
+bool Studio::played() const { return parts_->playback != nullptr && parts_->playback->ended(); }
 
 void Studio::run(const std::function<bool()>& over) {
   (void)setpriority(PRIO_PROCESS, 0, kNice);  // Linux: of this thread alone

@@ -33,6 +33,8 @@ class Studio {
   Studio& operator=(const Studio&) = delete;
 
   std::string url() const;
+  // With `byTheClock`: whether the logs have been played to their end.
+  bool played() const;
   // Until `over` says so, which is asked a hundred times a second.
   void run(const std::function<bool()>& over);
 

@@ -58,7 +58,9 @@ void leaveOut(FrameOutput& output) {
 }
 
 void leaveOut(FrameInput& input) {
+  const JointAngles joints = input.sensors.joints;
   input.sensors = {};
+  input.sensors.joints = joints;
   input.headRate = {};
   input.lastCommand = {};  // it stands in the output of the frame before
   input.team.clear();

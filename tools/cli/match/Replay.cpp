@@ -7,12 +7,15 @@
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/JsonText.h"
+#include "tools/cli/Process.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/log/ThinLog.h"
 #include "tools/cli/options/Config.h"
+#include "tools/cli/options/ServeOptions.h"
 #include "tools/cli/show/FieldJson.h"
 #include "tools/cli/show/Jsonl.h"
 #include "tools/match/Match.h"
+#include "tools/studio/Studio.h"
 
 namespace kelpie::cli {
 namespace {
@@ -23,7 +26,26 @@ struct ReplayCommand {
   std::string jsonl;
   std::string pycode = defaultScripts();
   ConfigOptions config;
+  bool live = false;
+  web::ServerParams web;
 };
+
+// What was recorded, by the clock, from the moment when somebody watches.
+int serveLog(const ReplayCommand& command) {
+  catchInterrupts();
+  studio::StudioOptions options;
+  options.web = command.web;
+  options.logs = {command.log};
+  options.byTheClock = true;
+  const auto studio = studio::Studio::open(options);
+  if (!studio) return fail(studio.error(), kExitBadInput);
+  const std::string url = (*studio)->url();
+  fmt::print("live: ws{}  (Foxglove, Lichtblick); begins when somebody watches\n",
+             url.substr(url.find(':')));
+  std::fflush(stdout);
+  (*studio)->run([&] { return interrupted() || (*studio)->played(); });
+  return interrupted() ? kExitInterrupted : kExitDone;
+}
 
 int report(const ReplayCommand& command, const agent::ReplayResult& result) {
   // With --jsonl - the figures must not mix with the objects.
@@ -110,7 +132,14 @@ void addReplay(CommandLine& app, int& code) {
   sub.option("--jsonl", command->jsonl, "One JSON object a frame; - for standard output");
   sub.option("--pycode", command->pycode, "Behaviours (default: pycode/)").check(existingPath());
   addConfigOptions(sub, command->config);
-  sub.callback([command, &code] { code = replayLog(*command); });
+  sub.flag("--live", command->live,
+           "Runs nothing again, but serves what was recorded to Foxglove and Lichtblick, by the "
+           "clock, from when somebody watches")
+      .excludes("--check")
+      .excludes("--jsonl");
+  addServeOptions(sub, command->web);
+  sub.callback(
+      [command, &code] { code = command->live ? serveLog(*command) : replayLog(*command); });
 }
 
 }  // namespace kelpie::cli
