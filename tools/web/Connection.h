@@ -4,20 +4,10 @@
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
-#include <memory>
 
-#include "tools/web/Guard.h"
-#include "tools/web/Server.h"
+#include "tools/web/Shared.h"
 
 namespace kelpie::web {
-
-// What all connections of a server have in common; outlives them.
-struct Shared {
-  ServerParams params;
-  Guard guard;
-  Site& site;
-  std::size_t connections = 0;
-};
 
 void serve(boost::asio::ip::tcp::socket socket, Shared& shared);
 

@@ -8,21 +8,12 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "robot/core/Expected.h"
+#include "tools/web/ServerParams.h"
 #include "tools/web/Site.h"
 
 namespace kelpie::web {
-
-struct ServerParams {
-  std::string address = "127.0.0.1";
-  std::uint16_t port = 8765;         // 0: any that is free
-  std::vector<std::string> origins;  // Guard.h
-  std::size_t maxConnections = 32;   // at the same time; others are sent away
-  std::size_t maxBody = 1U << 20;    // bytes of a request, and of what a peer says
-  double patience = 30.0;            // s for a request to come and for an answer to be taken
-};
 
 class Server {
  public:

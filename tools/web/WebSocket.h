@@ -7,7 +7,7 @@
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>
 
-#include "tools/web/Connection.h"
+#include "tools/web/Shared.h"
 
 namespace kelpie::web {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a log keeps of a frame when the logs of all robots of a match are kept: 0.65 KB of the 110
+// What a log keeps of a frame when the logs of all robots of a match are kept: 0.75 KB of the 110
 // that a whole frame has. One frame in fifteen is whole but for its image, of which there is the
 // class plane (robot/core/types/PlaneFrame.h). Of the others there is what leads from frame to
 // frame: joint angles, odometry, game, pose, ball, other robots, and the Command with its reasons;
-// not what vision saw, the other hypotheses, the obstacle cells, other sensors and messages. All numbers keep 12
-// binary digits of their fraction (a place on the field is 0.1 cm off at most). Such a log can be
-// read, shown and filmed; it does not replay.
+// not what vision saw, the other hypotheses, the obstacle cells, other sensors and messages. All
+// numbers keep 12 binary digits of their fraction (a place on the field is 0.1 cm off at most).
+// Such a log can be read, shown and filmed; it does not replay.
 #pragma once
 
 #include <cstdint>

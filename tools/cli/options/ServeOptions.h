@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tools/cli/options/CommandLine.h"
-#include "tools/web/Server.h"
+#include "tools/web/ServerParams.h"
 
 namespace kelpie::cli {
 
