@@ -8,7 +8,7 @@ import signal
 import subprocess
 
 import pytest
-from conftest import BIN, complaint, kelpie
+from conftest import BIN, ROOT, complaint, kelpie
 
 START = "2006-06-14T10:00:00Z"
 START_S = 1150279200
@@ -42,6 +42,16 @@ def test_each_frame_has_its_image_pose_and_body(match, viewer):
     assert topics["/red1/robot"][:2] == ("foxglove.SceneUpdate", frames)
     assert topics["/ball/true"][1] == topics_of(match)["/truth"][1]
     assert topics["/field"][1] == 1
+
+
+def test_the_layout_shows_topics_that_an_export_has(viewer):
+    layout = json.loads((ROOT / "docs" / "viewers" / "layout.json").read_text())
+    panels = json.dumps(layout["layout"])
+    assert all(f'"{name}"' in panels for name in layout["configById"])
+    known = {re.sub("red1|red2", "ROBOT", topic) for topic in topics_of(viewer)}
+    named = set(re.findall(r'"(/[^".]+)[".]', json.dumps(layout["configById"])))
+    assert len(named) > 20
+    assert {re.sub(r"(red|blue)\d", "ROBOT", topic) for topic in named} <= known | {"/robots"}
 
 
 def test_time_0_of_the_log_is_the_start(match, viewer):
