@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Short ways to make elements of the page.
+type Attributes = Record<string, string | boolean | ((event: Event) => void)>;
+
+// A function is a listener for the event of that name, false leaves an attribute away.
+export function make<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {},
+  ...children: (Node | string)[]): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") element.addEventListener(name, value);
+    else if (value === true) element.setAttribute(name, "");
+    else if (value !== false) element.setAttribute(name, value);
+  }
+  element.append(...children);
+  return element;
+}
+
+export function button(label: string | Node, name: string, act: () => void,
+  className = ""): HTMLButtonElement {
+  return make("button", { type: "button", "aria-label": name, title: name, class: className,
+    click: act }, label);
+}
+
+export function text(element: Element, words: string): void {
+  if (element.textContent !== words) element.textContent = words;
+}
+
+export function byId(id: string): HTMLElement {
+  const element = document.getElementById(id);
+  if (!element) throw new Error(`the page has no ${id}`);
+  return element;
+}
+
+// A canvas that is as sharp as the screen; returns its context and its size in CSS pixels.
+export function fitCanvas(canvas: HTMLCanvasElement, width: number, height: number) {
+  const ratio = Math.min(2, window.devicePixelRatio || 1);
+  const w = Math.max(1, Math.round(width * ratio));
+  const h = Math.max(1, Math.round(height * ratio));
+  if (canvas.width !== w) canvas.width = w;
+  if (canvas.height !== h) canvas.height = h;
+  const context = canvas.getContext("2d")!;
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return context;
+}
+
+export interface Inks {
+  [name: string]: string;
+}
+
+// Colours of the theme, as the style sheet has them.
+export function inks(names: readonly string[]): Inks {
+  const style = getComputedStyle(document.documentElement);
+  return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+}

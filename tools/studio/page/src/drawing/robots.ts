@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// All robots at once: one instanced mesh for each link and kind of paint, with the uniform's colour
+// by instance. A second, transparent set shows where they believe to be.
+import * as THREE from "three";
+import { BodyTree, type Stance } from "../model/body";
+import type { Pose, Team } from "../model/field";
+import { coloured, merged, shapeGeometry } from "./shapes";
+
+export const TEAM_COLOURS = [0xe0342b, 0x2f6fe4] as const;
+const PAINT = { shell: 0xf1f2f4, dark: 0x33363d, uniform: 0xffffff };
+const MOST = 8;
+
+export interface ShownRobot {
+  pose: Pose;
+  team: Team;
+  joints: readonly number[];
+  stance: Stance;
+  hideHead: boolean;
+}
+
+interface Part {
+  link: number;
+  mesh: THREE.InstancedMesh;
+  uniform: boolean;
+}
+
+export class RobotMeshes {
+  readonly group = new THREE.Group();
+  private readonly parts: Part[] = [];
+  private readonly places: THREE.Matrix4[] = [];
+  private readonly base = new THREE.Matrix4();
+  private readonly matrix = new THREE.Matrix4();
+  private readonly colour = new THREE.Color();
+
+  constructor(private readonly tree: BodyTree, ghost: boolean) {
+    tree.links.forEach((link, i) => {
+      const plain = link.shapes.filter((s) => s.paint !== "uniform");
+      const uniform = link.shapes.filter((s) => s.paint === "uniform");
+      for (const shapes of [plain, uniform]) {
+        if (shapes.length === 0) continue;
+        const geometry = merged(shapes.map((s) => coloured(shapeGeometry(s), PAINT[s.paint])));
+        this.add(geometry, i, shapes === uniform, ghost);
+      }
+    });
+  }
+
+  private add(geometry: THREE.BufferGeometry, link: number, uniform: boolean, ghost: boolean) {
+    const material = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: ghost,
+      opacity: ghost ? 0.28 : 1, depthWrite: !ghost });
+    const mesh = new THREE.InstancedMesh(geometry, material, MOST);
+    mesh.count = 0;
+    mesh.frustumCulled = false;
+    mesh.castShadow = !ghost;
+    mesh.receiveShadow = false;
+    this.parts.push({ link, mesh, uniform: uniform || ghost });
+    this.group.add(mesh);
+  }
+
+  show(robots: readonly ShownRobot[]): void {
+    const count = Math.min(robots.length, MOST);
+    for (const part of this.parts) part.mesh.count = count;
+    for (let i = 0; i < count; ++i) this.place(robots[i]!, i);
+    for (const { mesh } of this.parts) {
+      mesh.instanceMatrix.needsUpdate = true;
+      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+    }
+  }
+
+  private place(robot: ShownRobot, instance: number): void {
+    this.tree.place(robot.joints, robot.stance, this.places);
+    robotMatrix(robot.pose, this.base);
+    this.colour.set(TEAM_COLOURS[robot.team]);
+    for (const { link, mesh, uniform } of this.parts) {
+      this.matrix.multiplyMatrices(this.base, this.places[link]!);
+      if (robot.hideHead && this.tree.headLinks.has(link)) this.matrix.makeScale(0, 0, 0);
+      mesh.setMatrixAt(instance, this.matrix);
+      if (uniform) mesh.setColorAt(instance, this.colour);
+    }
+  }
+}
+
+// From the robot frame (x right, y ahead) to the field.
+export function robotMatrix(pose: Pose, out = new THREE.Matrix4()): THREE.Matrix4 {
+  out.makeRotationZ(pose.heading - Math.PI / 2);
+  return out.setPosition(pose.x, pose.y, 0);
+}
