@@ -83,7 +83,7 @@ Answer Site::answer(const Request& request) {
     return answer;
   }
   if (startsWith(path, "/logs/")) return log(request);
-  if (startsWith(path, "/api/classes/")) return classes(request);
+  if (startsWith(path, "/api/classes/") || startsWith(path, "/api/refused/")) return frame(request);
   if (startsWith(path, "/api/")) return textAnswer(404, "there is nothing of that name\n");
   return page(request);
 }
@@ -125,15 +125,23 @@ Answer Site::log(const Request& request) const {
   return web::fileAnswer(request, log->path, "application/octet-stream");
 }
 
-Answer Site::classes(const Request& request) const {
+Answer Site::frame(const Request& request) const {
   const ShelvedLog* const log = logOf(request.path, parts_.shelf.logs());
   const auto found = request.query.find("time");
   const auto time = found == request.query.end() ? std::nullopt : wholeNumber(found->second);
   if (log == nullptr || !time) return textAnswer(404, "there is no such frame\n");
-  const std::string picture = parts_.shelf.temporary("classes.png");
-  const Status drawn = drawClasses(log->path, {*time}, picture);
-  if (!drawn) return textAnswer(404, drawn.error() + "\n");
-  return web::fileAnswer({}, picture, "image/png");
+  const TimeUs at{time.value_or(0)};
+  if (startsWith(request.path, "/api/classes/")) {
+    const std::string picture = parts_.shelf.temporary("classes.png");
+    const Status drawn = drawClasses(log->path, at, picture);
+    return drawn ? web::fileAnswer({}, picture, "image/png")
+                 : textAnswer(404, drawn.error() + "\n");
+  }
+  const auto refused = refusedJson(log->path, at);
+  if (!refused) return textAnswer(404, refused.error() + "\n");
+  Answer answer = textAnswer(200, *refused + "\n");
+  answer.type = "application/json";
+  return answer;
 }
 
 Answer Site::control(const Request& request) const {

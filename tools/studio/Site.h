@@ -39,7 +39,7 @@ class Site : public web::Site {
   web::Answer page(const web::Request& request) const;
   web::Answer session() const;
   web::Answer log(const web::Request& request) const;
-  web::Answer classes(const web::Request& request) const;
+  web::Answer frame(const web::Request& request) const;
   web::Answer control(const web::Request& request) const;
   web::Answer listBehaviours() const;
   web::Answer behaviour(const web::Request& request) const;
