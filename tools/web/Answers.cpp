@@ -2,6 +2,7 @@
 #include <charconv>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "tools/web/Site.h"
@@ -24,14 +25,16 @@ std::optional<std::uint64_t> numberIn(const std::string& digits) {
   return value;
 }
 
+// A range in another unit is not looked at (RFC 9110, 14.2).
+constexpr std::string_view kUnit = "bytes=";
+bool isInBytes(const std::string& range) { return range.compare(0, kUnit.size(), kUnit) == 0; }
+
 // "bytes=0-99", "bytes=100-" or "bytes=-20" of a file of that size (RFC 9110, 14.1.2). Nothing for
 // what is no such range or lies beyond the file.
 std::optional<Part> partOf(const std::string& range, std::uint64_t size) {
-  const std::string unit = "bytes=";
   const auto dash = range.find('-');
-  if (range.compare(0, unit.size(), unit) != 0 || dash == std::string::npos || size == 0)
-    return std::nullopt;
-  const std::string from = range.substr(unit.size(), dash - unit.size());
+  if (dash == std::string::npos || size == 0) return std::nullopt;
+  const std::string from = range.substr(kUnit.size(), dash - kUnit.size());
   const std::string to = range.substr(dash + 1);
   const auto first = numberIn(from);
   const auto last = numberIn(to);
@@ -57,7 +60,7 @@ Answer fileAnswer(const Request& request, const std::string& path, const std::st
   answer.type = type;
   answer.file = path;
   answer.size = answer.count = size;
-  if (request.range.empty()) return answer;
+  if (!isInBytes(request.range)) return answer;
   const auto part = partOf(request.range, size);
   if (!part) {
     answer = textAnswer(416, "the range is not in the file\n");

@@ -124,6 +124,10 @@ bool HttpConnection::upgrade() {
   const Request request = requestOf(parser_->get());
   Room* const room = shared_.site.roomOf(request.path);
   if (room == nullptr) return false;
+  if (!offers(parser_->get(), room->protocol())) {
+    refuse(400, std::string("this WebSocket speaks ") + room->protocol() + "\n");
+    return true;
+  }
   stream_.expires_never();
   enterRoom(stream_.release_socket(), parser_->release(), *room, shared_);
   return true;

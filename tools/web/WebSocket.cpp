@@ -16,17 +16,6 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 using Tcp = boost::asio::ip::tcp;
 
-bool offers(const http::request<http::string_body>& request, const std::string& protocol) {
-  const auto list = request[http::field::sec_websocket_protocol];
-  std::istringstream words(std::string(list.data(), list.size()));
-  for (std::string word; std::getline(words, word, ',');) {
-    const auto first = word.find_first_not_of(' ');
-    const auto last = word.find_last_not_of(' ');
-    if (first != std::string::npos && word.substr(first, last - first + 1) == protocol) return true;
-  }
-  return false;
-}
-
 class WebSocket : public Peer, public std::enable_shared_from_this<WebSocket> {
  public:
   WebSocket(Tcp::socket socket, Room& room, Shared& shared)
@@ -74,10 +63,9 @@ void WebSocket::accept(http::request<http::string_body> request) {
   stream_.set_option(timeout);
   stream_.read_message_max(shared_.params.maxBody);
   stream_.auto_fragment(false);
-  if (offers(request, room_.protocol()))
-    stream_.set_option(websocket::stream_base::decorator([this](websocket::response_type& answer) {
-      answer.set(http::field::sec_websocket_protocol, room_.protocol());
-    }));
+  stream_.set_option(websocket::stream_base::decorator([this](websocket::response_type& answer) {
+    answer.set(http::field::sec_websocket_protocol, room_.protocol());
+  }));
   const auto kept = std::make_shared<http::request<http::string_body>>(std::move(request));
   stream_.async_accept(*kept, [self = shared_from_this(), kept](const beast::error_code& error) {
     if (error) return;
@@ -99,7 +87,9 @@ void WebSocket::read() {
                      });
 }
 
+// Who takes none of a great many answers is not waited for.
 void WebSocket::say(Said said) {
+  if (waiting_ > shared_.params.maxWaiting) return beast::get_lowest_layer(stream_).close();
   waiting_ += said.bytes->size();
   queue_.push_back(std::move(said));
   if (queue_.size() == 1) sendNext();
@@ -117,6 +107,17 @@ void WebSocket::sendNext() {
 }
 
 }  // namespace
+
+bool offers(const http::request<http::string_body>& request, const std::string& protocol) {
+  const auto list = request[http::field::sec_websocket_protocol];
+  std::istringstream words(std::string(list.data(), list.size()));
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto first = word.find_first_not_of(' ');
+    const auto last = word.find_last_not_of(' ');
+    if (first != std::string::npos && word.substr(first, last - first + 1) == protocol) return true;
+  }
+  return false;
+}
 
 void enterRoom(Tcp::socket socket, http::request<http::string_body> request, Room& room,
                Shared& shared) {
