@@ -2,6 +2,7 @@
 #include "tools/live/Hub.h"
 
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -44,12 +45,18 @@ std::shared_ptr<const std::string> frameOf(std::uint32_t subscription, TimeUs ti
   return frame;
 }
 
+// A larger one would be another's when it is cut.
+bool isId(const json& value) {
+  return value.is_number_unsigned() &&
+         value.get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max();
+}
+
 // The numbers of a list of them; anything else in it is left out.
 std::vector<std::uint32_t> numbersIn(const json& message, const char* key) {
   std::vector<std::uint32_t> numbers;
   const json list = message.value(key, json::array());
   for (const json& each : list)
-    if (each.is_number_unsigned()) numbers.push_back(each.get<std::uint32_t>());
+    if (isId(each)) numbers.push_back(each.get<std::uint32_t>());
   return numbers;
 }
 
@@ -68,12 +75,12 @@ std::string Hub::offerText(Id first) const {
   json channels = json::array();
   for (Id id = first; id < channels_.size(); ++id) {
     const Channel& channel = channels_[id];
-    const bool text = channel.type.schemaEncoding == "ros1msg";
+    const bool bytes = channel.type.schemaEncoding == "protobuf";
     channels.push_back({{"id", id},
                         {"topic", channel.topic},
                         {"encoding", channel.type.messageEncoding},
                         {"schemaName", channel.type.name},
-                        {"schema", text ? channel.type.schema : base64(channel.type.schema)},
+                        {"schema", bytes ? base64(channel.type.schema) : channel.type.schema},
                         {"schemaEncoding", channel.type.schemaEncoding}});
   }
   return textOf({{"op", "advertise"}, {"channels", channels}});
@@ -94,8 +101,8 @@ void Hub::hear(web::Peer& peer, const std::string& text) {
   if (op == "subscribe") {
     const json wanted = message.value("subscriptions", json::array());
     for (const json& each : wanted)
-      if (each.is_object() && each.value("id", json()).is_number_unsigned() &&
-          each.value("channelId", json()).is_number_unsigned())
+      if (each.is_object() && isId(each.value("id", json())) &&
+          isId(each.value("channelId", json())))
         subscribe(peer, watcher, each["id"].get<Id>(), each["channelId"].get<Id>());
     return;
   }

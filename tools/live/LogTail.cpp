@@ -36,11 +36,12 @@ bool LogTail::next(LogMessage& message) {
   return false;
 }
 
+// A chunk inside a chunk is damage: it would be unpacked over itself.
 bool LogTail::readRecord(mcap::Record& record) {
   if (chunkAt_ >= chunk_.size()) return readFileRecord(record);
   mcap::ContentReader content(chunk_.data() + chunkAt_, chunk_.size() - chunkAt_);
   record = content.record();
-  if (!content.good()) ended_ = true;
+  if (!content.good() || record.op == Op::chunk) ended_ = true;
   chunkAt_ = chunk_.size() - content.left();
   return !ended_;
 }

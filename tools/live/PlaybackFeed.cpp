@@ -16,6 +16,7 @@ Expected<std::unique_ptr<PlaybackFeed>> PlaybackFeed::open(const std::vector<std
     if (!source->more) return Error{path + ": holds no messages"};
     feed->sources_.push_back(std::move(source));
   }
+  if (feed->sources_.empty()) return Error{"there is no log to be played"};
   feed->first_ = feed->oldest()->message.time;
   return feed;
 }
