@@ -23,10 +23,12 @@ Intervention::Intervention(const Setup& setup, const body::FieldDescription& fie
   for (const RobotCarry& one : setup.carries) carries_.push_back({one});
 }
 
+// Of several places at one moment, as of a match that stands, the last counts.
 void Intervention::putBall(TimeUs now, Point2<Field> place) {
   const BallTake put{now.seconds(), 0.0, place};
   const auto next = takes_.begin() + static_cast<std::ptrdiff_t>(taken_);
-  if (away_)
+  const bool again = next != takes_.end() && next->seconds == 0.0 && next->time == put.time;
+  if (away_ || again)
     *next = put;
   else
     takes_.insert(next, put);

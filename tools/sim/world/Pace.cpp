@@ -8,7 +8,8 @@ namespace kelpie::sim {
 namespace {
 
 constexpr std::chrono::milliseconds kStall{200};
-constexpr std::chrono::milliseconds kAsk{5};  // while it stands
+constexpr std::chrono::milliseconds kAsk{5};  // for orders, while it waits
+constexpr double kLongest = 1e15;             // us: 30 years, of a match that all but stands
 
 // Image number i is there at i / 30 s, in whole microseconds.
 bool isImage(TimeUs time) {
@@ -23,6 +24,11 @@ void Pace::setSpeed(double speed) {
   begun_ = false;
 }
 
+void Pace::pause() {
+  paused_ = true;
+  images_ = 0;
+}
+
 void Pace::resume() {
   paused_ = false;
   images_ = 0;
@@ -35,35 +41,40 @@ void Pace::step(int images) {
 }
 
 bool Pace::mayPass(TimeUs now) {
-  if (!paused_) return true;
   if (images_ == 0) return false;
   if (isImage(now)) --images_;
   return true;
 }
 
+// However slowly it goes, an order to go faster is heard.
 void Pace::await(TimeUs now, const std::function<void()>& hear,
                  const std::function<bool()>& stopped) {
   hear();
-  while (!mayPass(now) && !(stopped && stopped())) {
-    std::this_thread::sleep_for(kAsk);
+  for (auto left = leftUntil(now); left > left.zero(); left = leftUntil(now)) {
+    if (stopped && stopped()) return;
+    std::this_thread::sleep_for(std::min<Clock::duration>(left, kAsk));
     hear();
   }
-  if (!paused_ && speed_ > 0.0) keepTime(now);
+}
+
+Pace::Clock::duration Pace::leftUntil(TimeUs now) {
+  if (paused_) return mayPass(now) ? Clock::duration::zero() : kAsk;
+  return speed_ > 0.0 ? untilDue(now) : Clock::duration::zero();
 }
 
 // After a stall (a script that hung) time goes on from there; it does not catch up.
-void Pace::keepTime(TimeUs now) {
+Pace::Clock::duration Pace::untilDue(TimeUs now) {
   const auto clock = Clock::now();
   if (!begun_) {
     begun_ = true;
     since_ = clock;
     from_ = now;
   }
-  const double gone = static_cast<double>(now.us - from_.us) / speed_;
+  const double gone = std::min(kLongest, static_cast<double>(now.us - from_.us) / speed_);
   const auto due = since_ + std::chrono::microseconds(static_cast<std::int64_t>(gone));
   const auto late = clock - due;
   if (late > kStall) since_ += late;
-  std::this_thread::sleep_until(due);
+  return -late;
 }
 
 }  // namespace kelpie::sim

@@ -15,20 +15,22 @@ class Pace {
   explicit Pace(double speed) : speed_(speed) {}
 
   void setSpeed(double speed);
-  void pause() { paused_ = true; }
+  // Also in the middle of steps.
+  void pause();
   void resume();
   // So many camera images, then it stands.
   void step(int images);
   bool paused() const { return paused_; }
 
-  // Waits until the match may go on to `now`. While it stands `hear` is called again and again;
-  // `stopped` ends the wait.
+  // Waits until the match may go on to `now`. Meanwhile `hear` is called again and again, once at
+  // least; `stopped` ends the wait.
   void await(TimeUs now, const std::function<void()>& hear, const std::function<bool()>& stopped);
 
  private:
   using Clock = std::chrono::steady_clock;
   bool mayPass(TimeUs now);
-  void keepTime(TimeUs now);
+  Clock::duration leftUntil(TimeUs now);
+  Clock::duration untilDue(TimeUs now);
 
   double speed_;
   bool paused_ = false;
