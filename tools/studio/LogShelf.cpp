@@ -65,11 +65,12 @@ Status LogShelf::addWhole(const std::string& path) {
 }
 
 Status LogShelf::addFolder(const std::string& folder) {
+  Status all = Done{};
   for (const std::string& path : logsOf(folder)) {
     const Status added = add(path);
-    if (!added) return added;
+    if (all && !added) all = added;
   }
-  return Done{};
+  return all;
 }
 
 }  // namespace kelpie::studio

@@ -24,7 +24,7 @@ struct ShelvedLog {
 class LogShelf {
  public:
   Status add(const std::string& path);
-  // All logs of a folder; none is no error.
+  // All logs of a folder; none is no error. The error is the first one's; the others are added.
   Status addFolder(const std::string& folder);
   void clear() { logs_.clear(); }
   const std::vector<ShelvedLog>& logs() const { return logs_; }
