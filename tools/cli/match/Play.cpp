@@ -312,7 +312,10 @@ int playInto(MatchFolder& folder, PlayOptions& options) {
   options.session.allLogs = options.logs == "all" && !options.session.others.empty();
   options.moveEarlier = [&folder] { return folder.moveEarlier(); };
   const Status watched = beginWatch(options);
-  if (!watched) return fail(watched.error(), kExitBadInput);
+  if (!watched) {
+    forgetParts(options.out);
+    return fail(watched.error(), kExitBadInput);
+  }
   const auto start = std::chrono::steady_clock::now();
   const SessionResult result = runShown(options);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
