@@ -16,8 +16,17 @@ const HEADERS = [
   "robot/body/FieldDescription.h",
   "tools/sim/world/Truth.h",
 ];
-const NEEDED_ENUMS = ["EventKind", "PlayState", "TraceLayer", "Fallback", "FallSide",
-  "LandmarkKind", "LinePointKind", "Role", "WalkKind"];
+const NEEDED_ENUMS = [
+  "EventKind",
+  "PlayState",
+  "TraceLayer",
+  "Fallback",
+  "FallSide",
+  "LandmarkKind",
+  "LinePointKind",
+  "Role",
+  "WalkKind",
+];
 const NEEDED_NUMBERS = ["kImageWidth", "kImageHeight", "kBallRadius", "kNoTime"];
 
 export interface Motion {
@@ -34,8 +43,13 @@ export interface CppNames {
 function enumsOf(text: string): [string, string[]][] {
   const plain = text.replace(/\/\/.*$/gm, "");
   const found = plain.matchAll(/enum class (\w+)\s*:\s*[\w:]+\s*\{([^}]*)\}/g);
-  return [...found].map(([, name, list]) => [name!, (list ?? "").split(",")
-    .map((value) => value.trim()).filter((value) => value !== "")]);
+  return [...found].map(([, name, list]) => [
+    name!,
+    (list ?? "")
+      .split(",")
+      .map((value) => value.trim())
+      .filter((value) => value !== ""),
+  ]);
 }
 
 function numbersOf(text: string): [string, number][] {
@@ -46,31 +60,39 @@ function numbersOf(text: string): [string, number][] {
 // The rows of kColourPalette.
 function paletteOf(text: string): [number, number, number][] {
   const table = /kColourPalette = \{\{([\s\S]*?)\}\};/.exec(text)?.[1] ?? "";
-  return [...table.matchAll(/(\d+),\s*(\d+),\s*(\d+)/g)]
-    .map(([, r, g, b]) => [Number(r), Number(g), Number(b)]);
+  return [...table.matchAll(/(\d+),\s*(\d+),\s*(\d+)/g)].map(([, r, g, b]) => [
+    Number(r),
+    Number(g),
+    Number(b),
+  ]);
 }
 
 // Sections of the list of choices: `[Role]`, then `name = "PYTHON_NAME"` in order.
 function choicesOf(text: string): [string, string[]][] {
-  return text.split(/^\[/m).slice(1).map((section) => {
-    const names = [...section.matchAll(/^(\w+) = "[A-Z0-9_]+"$/gm)].map((m) => m[1]!);
-    return [section.slice(0, section.indexOf("]")), names];
-  });
+  return text
+    .split(/^\[/m)
+    .slice(1)
+    .map((section) => {
+      const names = [...section.matchAll(/^(\w+) = "[A-Z0-9_]+"$/gm)].map((m) => m[1]!);
+      return [section.slice(0, section.indexOf("]")), names];
+    });
 }
 
 function motionsOf(folder: string): Motion[] {
   const motions: Motion[] = [{ name: "none", use: "rest" }];
   for (const file of readdirSync(folder).filter((name) => name.endsWith(".toml"))) {
     const line = /motion = \{ number = (\d+)(?:, use = "(\w+)")?/.exec(
-      readFileSync(join(folder, file), "utf8"));
+      readFileSync(join(folder, file), "utf8"),
+    );
     if (line) motions[Number(line[1])] = { name: file.replace(".toml", ""), use: line[2] ?? "" };
   }
-  const mirrored = (name: string) => name.includes("right") ? name.replace("right", "left")
-    : name.replace("left", "right");
-  const useOf = ({ name, use }: Motion) => use !== "" ? use
-    : motions.find((other) => other?.name === mirrored(name))?.use ?? "rest";
-  return Array.from(motions, (motion) => motion ? { name: motion.name, use: useOf(motion) }
-    : { name: "unknown", use: "rest" });
+  const mirrored = (name: string) =>
+    name.includes("right") ? name.replace("right", "left") : name.replace("left", "right");
+  const useOf = ({ name, use }: Motion) =>
+    use !== "" ? use : (motions.find((other) => other?.name === mirrored(name))?.use ?? "rest");
+  return Array.from(motions, (motion) =>
+    motion ? { name: motion.name, use: useOf(motion) } : { name: "unknown", use: "rest" },
+  );
 }
 
 export function readCppNames(root: string): CppNames {
@@ -91,7 +113,7 @@ export function cppNames(root: string) {
   return {
     name: "kelpie-names",
     resolveId: (id: string) => (id === "kelpie:names" ? "\0kelpie:names" : undefined),
-    load: (id: string) => id === "\0kelpie:names"
-      ? `export default ${JSON.stringify(readCppNames(root))};` : undefined,
+    load: (id: string) =>
+      id === "\0kelpie:names" ? `export default ${JSON.stringify(readCppNames(root))};` : undefined,
   };
 }

@@ -2,6 +2,7 @@
 // Asks the worker for the facts of all logs and gives them to the panels as they come.
 import type { Answer, Question } from "../worker/protocol";
 import type { SessionLog } from "../model/session";
+import { addPlots } from "./plotting";
 import type { Studio } from "./studio";
 
 export type SeriesListener = (times: Float64Array, values: Float64Array, done: boolean) => void;
@@ -17,7 +18,8 @@ export class Background {
     this.worker = new Worker(new URL("../worker/scan.ts", import.meta.url), { type: "module" });
     this.worker.addEventListener("message", (e: MessageEvent<Answer>) => this.take(e.data));
     this.worker.addEventListener("error", (e) =>
-      studio.notes.say(`Decisions cannot be read in the background: ${e.message}`, "error"));
+      studio.notes.say(`Decisions cannot be read in the background: ${e.message}`, "error"),
+    );
   }
 
   ask(question: Question): void {
@@ -35,15 +37,15 @@ export class Background {
     if (answer.is === "robotFacts") {
       facts.addRows(answer.robot, answer.chunk, answer.rows);
       facts.addMarks(answer.marks);
-      lanes.redraw();
+      lanes.redrawSoon();
     } else if (answer.is === "worldFacts") {
       facts.addMarks(answer.marks);
       facts.addPossession(answer.chunk, answer.possession);
-      timeLine.redraw();
+      timeLine.redrawSoon();
     } else if (answer.is === "progress") {
       transport.showProgress(answer.done, answer.all);
       this.factsDone = answer.done === answer.all;
-      timeLine.redraw();
+      timeLine.redrawSoon();
     } else if (answer.is === "series") {
       this.series.get(answer.id)?.(answer.times, answer.values, answer.done);
       if (answer.done) this.series.delete(answer.id);
@@ -56,13 +58,18 @@ export class Background {
 export function startFacts(studio: Studio, logs: SessionLog[], truthLog: number): Background {
   const background = new Background(studio);
   let near = studio.cursor.time;
-  background.ask({ ask: "facts", truthLog, near,
-    logs: logs.map(({ url, bytes }) => ({ url: new URL(url, location.href).href, bytes })) });
+  background.ask({
+    ask: "facts",
+    truthLog,
+    near,
+    logs: logs.map(({ url, bytes }) => ({ url: new URL(url, location.href).href, bytes })),
+  });
   studio.cursor.onChange((time) => {
     if (background.factsDone || Math.abs(time - near) < 2e6) return;
     near = time;
     background.ask({ ask: "near", time });
   });
+  addPlots(studio, background);
   studio.robotsChanged();
   return background;
 }

@@ -13,7 +13,10 @@ export class Cursor {
   private readonly listeners: CursorListener[] = [];
   private lastTick = 0;
 
-  constructor(public from: number, public to: number) {
+  constructor(
+    public from: number,
+    public to: number,
+  ) {
     this.time = from;
   }
 
@@ -29,12 +32,14 @@ export class Cursor {
 
   // By a person, who with it leaves the live end but where it is the end.
   seek(time: number): void {
-    this.following = this.following && time >= this.to;
+    this.following = this.following && time >= this.to - FRAME_US / 2;
     this.set(time);
   }
 
-  play(on = !this.playing): void {
-    if (on && this.time >= this.to && !this.following) this.set(this.from);
+  // Of a live match that is followed: it is left behind, and followed again by going to its end.
+  play(on = !this.playing && !this.following): void {
+    if (this.following) this.following = false;
+    if (on && this.time >= this.to) this.set(this.from);
     this.playing = on;
     this.lastTick = 0;
     if (on) requestAnimationFrame((now) => this.tick(now));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Opens what the server has and starts the page. Whatever fails is said in a line of the page.
-import type { Body } from "../model/body";
+import { bodyOf, type Body } from "../model/body";
 import { matchOf, readConfig, type OpenLog } from "../model/match";
 import { fetchJson, type Session, type SessionLog } from "../model/session";
 import { HttpFile } from "../reading/httpFile";
@@ -8,7 +8,9 @@ import { LogFile } from "../reading/logFile";
 import { Notes } from "../panels/notes";
 import { comparedOf } from "./address";
 import { byId } from "./dom";
+import { addSecond, askCompared } from "./compare";
 import { startFacts } from "./background";
+import { startLive } from "./live";
 import { report } from "./report";
 import { Studio } from "./studio";
 
@@ -26,37 +28,53 @@ async function openLog(log: SessionLog, place: number, notes: Notes): Promise<Op
   }
 }
 
-function shownLogs(session: Session, notes: Notes): SessionLog[] {
-  const compared = comparedOf(location.search);
-  if (!compared) return session.logs;
-  if (compared.some((place) => !session.logs[place])) {
-    notes.say("There are no two logs of these numbers to compare.", "error");
-    return session.logs;
-  }
-  return session.logs;
+// The two logs to compare, if the address asks for it.
+function comparedLogs(logs: OpenLog[], notes: Notes): [OpenLog, OpenLog] | undefined {
+  const places = comparedOf(location.search);
+  if (!places) return undefined;
+  const [a, b] = places.map((place) => logs.find((log) => log.place === place));
+  if (a && b) return [a, b];
+  notes.say("There are no two logs of these numbers to compare.", "error");
+  return undefined;
 }
 
 async function start(notes: Notes): Promise<void> {
   const session = await fetchJson<Session>("/api/session");
-  const body = await fetchJson<Body>(session.body).catch((error: unknown): Body => {
-    notes.say(`The robot's body is not known, so no robot is drawn: ${wordsOf(error)}`, "error");
-    return { links: [] };
-  });
-  const logs = (await Promise.all(shownLogs(session, notes).map((log, place) =>
-    openLog(log, place, notes)))).flat();
+  const body = await fetchJson<Parameters<typeof bodyOf>[0]>(session.body)
+    .then(bodyOf)
+    .catch((error: unknown): Body => {
+      notes.say(`The robot's body is not known, so no robot is drawn: ${wordsOf(error)}`, "error");
+      return { links: [] };
+    });
+  const live = session.live;
+  const asked = new URLSearchParams(location.search);
+  if (live && live.playing !== false && !asked.has("logs"))
+    return startLive(session, live, body, notes);
+  const logs = (
+    await Promise.all(session.logs.map((log, place) => openLog(log, place, notes)))
+  ).flat();
   if (logs.length === 0) {
     notes.say("There is no log to show. Start kelpie studio with the logs of a match.");
     byId("main").classList.add("empty");
     return;
   }
-  const match = matchOf(logs);
+  showLogs(session, logs, body, notes);
+}
+
+function showLogs(session: Session, logs: OpenLog[], body: Body, notes: Notes): void {
+  const compared = comparedLogs(logs, notes);
+  const match = matchOf(compared ? [compared[0]] : logs);
   for (const note of match.notes) notes.say(note);
   const studio = new Studio(match, body, notes);
-  studio.title.names(session.logs.map((l) => l.name).join(", "), session.version);
+  const names = (compared ?? logs).map((log) => log.name);
+  studio.title.names(names.join(compared ? " and " : ", "), session.version);
   report(studio, notes);
-  startFacts(studio, session.logs, match.truthLog);
+  if (compared) addSecond(studio, compared[1], body);
+  const background = startFacts(studio, session.logs, match.truthLog);
+  if (compared) askCompared(studio, background, compared);
 }
 
 const notes = new Notes(byId("notes"));
-start(notes).catch((error: unknown) => notes.say(`The studio cannot start: ${wordsOf(error)}`,
-  "error"));
+start(notes).catch((error: unknown) =>
+  notes.say(`The studio cannot start: ${wordsOf(error)}`, "error"),
+);

@@ -22,11 +22,16 @@ declare global {
 function countsOf(studio: Studio): Record<string, number> {
   const shown = studio.field?.shown;
   return {
-    robots: shown?.robots ?? 0, ghosts: shown?.ghosts ?? 0, lines: shown?.lines ?? 0,
-    beliefs: shown?.beliefs ?? 0, lanes: studio.match.robots.length,
-    segments: studio.facts.segments, marks: studio.facts.marks.length,
+    robots: shown?.robots ?? 0,
+    ghosts: shown?.ghosts ?? 0,
+    lines: shown?.lines ?? 0,
+    beliefs: shown?.beliefs ?? 0,
+    lanes: studio.match.robots.length,
+    segments: studio.facts.segments,
+    marks: studio.facts.marks.length,
     goals: studio.facts.marks.filter((m) => m.kind === "goal").length,
-    boxes: studio.camera.boxes.length, differences: studio.timeLine.differences.length,
+    boxes: studio.camera.boxes.length,
+    differences: studio.timeLine.differences.length,
     draws: studio.field?.stage.drawnFrames ?? 0,
     calls: studio.field?.stage.renderer.info.render.calls ?? 0,
     triangles: studio.field?.stage.renderer.info.render.triangles ?? 0,
@@ -46,11 +51,20 @@ async function seek(studio: Studio, seconds: number): Promise<number> {
 
 export function report(studio: Studio, notes: Notes): void {
   const made: Report = {
-    openMs: 0, fps: 0,
-    get seekMs() { return studio.seekMs; },
-    get time() { return studio.cursor.time / 1e6; },
-    get counts() { return countsOf(studio); },
-    get notes() { return notes.all; },
+    openMs: 0,
+    fps: 0,
+    get seekMs() {
+      return studio.seekMs;
+    },
+    get time() {
+      return studio.cursor.time / 1e6;
+    },
+    get counts() {
+      return countsOf(studio);
+    },
+    get notes() {
+      return notes.all;
+    },
     seek: (seconds) => seek(studio, seconds),
   };
   window.__kelpie = made;

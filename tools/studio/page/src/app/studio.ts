@@ -10,7 +10,7 @@ import type { Match } from "../model/match";
 import { loadMoment, momentAt, type Moment } from "../model/moment";
 import { CameraPanel } from "../panels/cameraPanel";
 import { Help } from "../panels/help";
-import { Lanes } from "../panels/lanes";
+import { Lanes, type LaneRobot } from "../panels/lanes";
 import { FieldControls } from "../panels/layersPanel";
 import type { Notes } from "../panels/notes";
 import { ReasonPanel, RobotList } from "../panels/robotPanel";
@@ -30,7 +30,6 @@ const NO_FIELD = "No log describes a field: nothing can be drawn of it.";
 export class Studio {
   readonly cursor: Cursor;
   readonly axis: TimeAxis;
-  readonly facts = new FactStore();
   readonly field: FieldView | undefined;
   readonly lanes: Lanes;
   readonly timeLine: TimeLine;
@@ -39,6 +38,9 @@ export class Studio {
   readonly tabs: Tabs;
   readonly title: TitleBar;
   selected = "";
+  readonly extraLanes: LaneRobot[] = []; // of the second log of a comparison
+  onShown: () => void = () => undefined;
+  onTheme: (dark: boolean) => void = () => undefined;
   moment: Moment | undefined;
   seekMs = 0;
   private readonly help = new Help();
@@ -49,16 +51,27 @@ export class Studio {
   private asked = 0;
   private hashTimer = 0;
 
-  constructor(readonly match: Match, body: Body, readonly notes: Notes) {
+  constructor(
+    readonly match: Match,
+    body: Body,
+    readonly notes: Notes,
+    readonly facts = new FactStore(),
+  ) {
     this.cursor = new Cursor(match.from, match.to);
     this.axis = new TimeAxis(match.from, match.to);
     this.timeLine = new TimeLine(this.cursor, this.axis, this.facts);
     this.lanes = new Lanes(this.cursor, this.axis, this.facts, (key) => this.select(key));
     this.tabs = new Tabs(() => this.keepAddress());
     this.transport = new Transport(this.cursor, this.axis, (forward) => this.step(forward));
-    this.controls = new FieldControls((view) => this.view(view),
-      (layer, on) => this.layer(layer, on));
-    this.title = new TitleBar(byId("title"), () => this.help.toggle(), () => this.theme.toggle());
+    this.controls = new FieldControls(
+      (view) => this.view(view),
+      (layer, on) => this.layer(layer, on),
+    );
+    this.title = new TitleBar(
+      byId("title"),
+      () => this.help.toggle(),
+      () => this.theme.toggle(),
+    );
     this.field = match.field ? this.makeField(match, body) : undefined;
     if (!this.field) notes.say(NO_FIELD);
     this.theme = new Theme((dark) => this.themeChanged(dark));
@@ -71,8 +84,12 @@ export class Studio {
 
   private makeField(match: Match, body: Body): FieldView {
     const box = byId("field");
-    const canvas = make("canvas", { class: "scene", tabindex: "0", role: "img",
-      "aria-label": "Field with robots and ball" });
+    const canvas = make("canvas", {
+      class: "scene",
+      tabindex: "0",
+      role: "img",
+      "aria-label": "Field with robots and ball",
+    });
     const over = make("div", { class: "over" });
     const frame = make("div", { class: "eye-frame", hidden: true });
     box.append(canvas, over, frame, this.controls.element);
@@ -95,8 +112,12 @@ export class Studio {
 
   private bindKeys(): void {
     const to = (time: () => number) => () => this.cursor.seek(time());
-    const numbers = Object.fromEntries([1, 2, 3, 4, 5, 6, 7, 8].map((n) =>
-      [String(n), () => this.select(this.moment?.robots[n - 1]?.key ?? this.selected)]));
+    const numbers = Object.fromEntries(
+      [1, 2, 3, 4, 5, 6, 7, 8].map((n) => [
+        String(n),
+        () => this.select(this.moment?.robots[n - 1]?.key ?? this.selected),
+      ]),
+    );
     listenToKeys({
       ...numbers,
       " ": () => this.cursor.play(),
@@ -106,8 +127,8 @@ export class Studio {
       "]": () => this.step(true),
       Home: to(() => this.cursor.from),
       End: () => this.toEnd(),
-      v: () => this.view(VIEWS[(VIEWS.indexOf(this.field?.views.mode ?? "orbit") + 1) %
-        VIEWS.length]!),
+      v: () =>
+        this.view(VIEWS[(VIEWS.indexOf(this.field?.views.mode ?? "orbit") + 1) % VIEWS.length]!),
       l: () => this.controls.element.querySelector("summary")?.click(),
       d: () => this.toDifference(),
       t: () => void this.theme.toggle(),
@@ -165,6 +186,7 @@ export class Studio {
     this.lanes?.redraw();
     this.timeLine?.redraw();
     this.tabs?.themeChanged();
+    this.onTheme(dark);
   }
 
   // Shows what is in memory at once and reads what is not; of many wishes only the last is shown.
@@ -174,12 +196,20 @@ export class Studio {
     if (moment.complete || !this.moment) this.show(moment);
     if (moment.complete) return this.loadAhead(time);
     const began = performance.now();
-    void loadMoment(this.match, time).then(() => {
-      if (asked !== this.asked) return;
-      this.seekMs = performance.now() - began;
-      this.show(momentAt(this.match, this.cursor.time));
-    }).catch((error: unknown) => this.notes.say(`A part of a log cannot be read: ${
-      error instanceof Error ? error.message : String(error)}`, "error"));
+    void loadMoment(this.match, time)
+      .then(() => {
+        if (asked !== this.asked) return;
+        this.seekMs = performance.now() - began;
+        this.show(momentAt(this.match, this.cursor.time));
+      })
+      .catch((error: unknown) =>
+        this.notes.say(
+          `A part of a log cannot be read: ${
+            error instanceof Error ? error.message : String(error)
+          }`,
+          "error",
+        ),
+      );
   }
 
   private aheadOf = 0;
@@ -196,26 +226,33 @@ export class Studio {
     this.title.show(moment);
     this.list.show(moment.robots, this.selected);
     this.reasons.show(robot);
-    this.camera.show(this.match.robots.find((r) => r.key === this.selected), moment.time);
+    this.camera.show(
+      this.match.robots.find((r) => r.key === this.selected),
+      moment.time,
+    );
+    this.onShown();
     this.keepAddress();
   }
 
   robotsChanged(): void {
     const keys = new Map((this.moment?.robots ?? this.match.robots).map((r) => [r.key, r]));
-    this.lanes.setRobots([...keys.values()].map(({ key, team, player }) => ({ key, team, player })));
+    this.lanes.setRobots([
+      ...[...keys.values()].map(({ key, team, player }) => ({ key, team, player })),
+      ...this.extraLanes,
+    ]);
   }
 
   private applyAddress(): void {
     const kept = readHash(location.hash);
     if (kept.layers && this.field) {
       this.field.layers.clear();
-      for (const layer of kept.layers)
-        if (layer in LAYERS) this.field.layers.add(layer as Layer);
+      for (const layer of kept.layers) if (layer in LAYERS) this.field.layers.add(layer as Layer);
     }
     const key = kept.robot ?? (this.selected || this.match.robots[0]?.key || "");
     this.selected = this.lanes.selected = key;
     if (this.field) this.field.selected = key;
-    if (kept.view && VIEWS.includes(kept.view as ViewName)) this.field?.setView(kept.view as ViewName);
+    if (kept.view && VIEWS.includes(kept.view as ViewName))
+      this.field?.setView(kept.view as ViewName);
     this.showControls();
     if (kept.tab) this.tabs.choose(kept.tab);
     this.cursor.set(kept.time !== undefined ? kept.time * 1e6 : this.cursor.time);
@@ -225,9 +262,13 @@ export class Studio {
     if (this.hashTimer !== 0) return;
     this.hashTimer = window.setTimeout(() => {
       this.hashTimer = 0;
-      const hash = writeHash({ time: this.cursor.time / 1e6, robot: this.selected,
-        view: this.field?.views.mode ?? "", layers: [...(this.field?.layers ?? [])],
-        tab: this.tabs.chosen });
+      const hash = writeHash({
+        time: this.cursor.time / 1e6,
+        robot: this.selected,
+        view: this.field?.views.mode ?? "",
+        layers: [...(this.field?.layers ?? [])],
+        tab: this.tabs.chosen,
+      });
       history.replaceState(null, "", hash);
     }, 500);
   }

@@ -5,7 +5,10 @@ export class TimeAxis {
   to: number;
   private readonly listeners: (() => void)[] = [];
 
-  constructor(public first: number, public last: number) {
+  constructor(
+    public first: number,
+    public last: number,
+  ) {
     this.from = first;
     this.to = Math.max(last, first + 1e6);
   }

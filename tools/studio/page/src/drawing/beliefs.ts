@@ -22,7 +22,7 @@ export const LAYERS = {
   wish: "Where it wants to go",
   frustum: "What its camera sees",
   arrows: "Direction of attack",
-  shadows: "Shadows",
+  shadows: "Shadows of the sun (slow)",
 } as const;
 export type Layer = keyof typeof LAYERS;
 
@@ -32,8 +32,12 @@ const POINT_COLOURS = [0xfff27a, 0x9df0ff, 0x9dff9d];
 const CELL = 10; // cm, side of a cell of the obstacle map (robot/core/types/ObstacleCells.h)
 const FULL_CELL = 8; // points of a cell that is drawn without transparency
 
-export function drawBeliefs(robot: RobotMoment, field: Field, on: ReadonlySet<Layer>,
-  ink: Ribbons): void {
+export function drawBeliefs(
+  robot: RobotMoment,
+  field: Field,
+  on: ReadonlySet<Layer>,
+  ink: Ribbons,
+): void {
   const world = structureAt(robot.output, "world");
   if (!world) return;
   const map = new MapFrame(field, robot.team);
@@ -49,8 +53,10 @@ export function drawBeliefs(robot: RobotMoment, field: Field, on: ReadonlySet<La
 function hypotheses(world: Structure, map: MapFrame, robot: RobotMoment, ink: Ribbons): void {
   const colour = TEAM_COLOURS[robot.team];
   const modes = listAt(world, "modes");
-  const shown = modes.length > 0 ? modes : [{ weight: 1, pose: world["pose"]!,
-    covariance: world["covariance"] ?? [] }];
+  const shown =
+    modes.length > 0
+      ? modes
+      : [{ weight: 1, pose: world["pose"]!, covariance: world["covariance"] ?? [] }];
   for (const mode of shown) {
     const own = poseAt(mode, "pose");
     if (!own) continue;
@@ -58,8 +64,13 @@ function hypotheses(world: Structure, map: MapFrame, robot: RobotMoment, ink: Ri
     const c = numbersAt(mode, "covariance");
     const alpha = Math.min(1, 0.25 + (numberAt(mode, "weight") ?? 0));
     ink.ellipse(pose, c[0] ?? 0, c[1] ?? 0, c[4] ?? 0, 1.2, colour, alpha);
-    ink.arrow(pose, { x: pose.x + 22 * Math.cos(pose.heading),
-      y: pose.y + 22 * Math.sin(pose.heading) }, 1.6, colour, alpha);
+    ink.arrow(
+      pose,
+      { x: pose.x + 22 * Math.cos(pose.heading), y: pose.y + 22 * Math.sin(pose.heading) },
+      1.6,
+      colour,
+      alpha,
+    );
   }
 }
 
@@ -80,8 +91,13 @@ function obstacles(world: Structure, map: MapFrame, ink: Ribbons): void {
   for (const cell of listAt(world, "obstacles")) {
     const place = pointAt(cell, "position");
     const points = (numberAt(cell, "own") ?? 0) + (numberAt(cell, "heard") ?? 0);
-    if (place) ink.square(map.point(place), CELL - 1, OBSTACLE_COLOUR,
-      Math.min(0.75, 0.1 + points / FULL_CELL));
+    if (place)
+      ink.square(
+        map.point(place),
+        CELL - 1,
+        OBSTACLE_COLOUR,
+        Math.min(0.75, 0.1 + points / FULL_CELL),
+      );
   }
 }
 
@@ -90,8 +106,13 @@ function linePoints(robot: RobotMoment, ink: Ribbons): void {
   if (!pose) return;
   for (const point of listAt(robot.output, "percepts.linePoints")) {
     const place = pointAt(point, "position");
-    if (place) ink.square(fieldFromRobot(pose, place), 2.2,
-      POINT_COLOURS[numberAt(point, "kind") ?? 0] ?? 0xffffff, 0.9);
+    if (place)
+      ink.square(
+        fieldFromRobot(pose, place),
+        2.2,
+        POINT_COLOURS[numberAt(point, "kind") ?? 0] ?? 0xffffff,
+        0.9,
+      );
   }
 }
 
@@ -126,8 +147,10 @@ function aim(robot: RobotMoment, map: MapFrame, field: Field, ink: Ribbons): voi
     const right = numberAt(gap, "right");
     if (left === undefined || right === undefined) continue;
     const away = Math.hypot(goal.x - pose.x, goal.y - pose.y);
-    const at = (turn: number) => ({ x: pose.x + away * Math.cos(pose.heading + turn),
-      y: pose.y + away * Math.sin(pose.heading + turn) });
+    const at = (turn: number) => ({
+      x: pose.x + away * Math.cos(pose.heading + turn),
+      y: pose.y + away * Math.sin(pose.heading + turn),
+    });
     ink.triangle(pose, at(left), at(right), 0x7dff8a, 0.35);
     ink.line(pose, at((left + right) / 2), 1.6, 0x7dff8a, 0.95);
   }

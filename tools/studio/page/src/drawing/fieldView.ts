@@ -4,12 +4,12 @@
 import * as THREE from "three";
 import names from "kelpie:names";
 import { BodyTree, type Body } from "../model/body";
-import type { Field } from "../model/field";
+import type { Field, Point } from "../model/field";
 import type { Moment, RobotMoment } from "../model/moment";
 import { drawBeliefs, type Layer } from "./beliefs";
 import { NameTags } from "./nameTags";
 import { Ribbons } from "./ribbons";
-import { RobotMeshes, type ShownRobot } from "./robots";
+import { ContactShadows, RobotMeshes, type ShownRobot } from "./robots";
 import { Stage } from "./stage";
 import { makeStadium, type Stadium } from "./stadium";
 import { VIEWS, Views, cameraPlace, type ViewName } from "./views";
@@ -27,31 +27,45 @@ export class FieldView {
   readonly stage: Stage;
   readonly views: Views;
   readonly tree: BodyTree;
-  readonly layers = new Set<Layer>(["robots", "names", "ball", "aim", "arrows", "shadows"]);
+  readonly layers = new Set<Layer>(["robots", "names", "ball", "aim", "arrows"]);
   readonly shown: Shown = { robots: 0, ghosts: 0, lines: 0, beliefs: 0 };
   selected = "";
   private moment: Moment | undefined;
+  private dragged: Point | undefined;
   private readonly stadium: Stadium;
   private readonly real: RobotMeshes;
   private readonly ghosts: RobotMeshes;
+  private readonly contacts = new ContactShadows();
   private readonly ink = new Ribbons();
   private readonly ball: THREE.Mesh;
   private readonly tags: NameTags;
   private drawnAt = 0;
 
-  constructor(canvas: HTMLCanvasElement, over: HTMLElement, readonly field: Field, body: Body,
-    onPick: (key: string) => void) {
+  constructor(
+    canvas: HTMLCanvasElement,
+    over: HTMLElement,
+    readonly field: Field,
+    body: Body,
+    onPick: (key: string) => void,
+  ) {
     this.stage = new Stage(canvas, () => this.prepare());
     this.tree = new BodyTree(body);
-    this.views = new Views(this.stage.camera, canvas, field, this.tree,
-      () => this.stage.invalidate());
+    this.views = new Views(this.stage.camera, canvas, field, this.tree, () =>
+      this.stage.invalidate(),
+    );
     this.stadium = makeStadium(field);
     this.real = new RobotMeshes(this.tree, false);
     this.ghosts = new RobotMeshes(this.tree, true);
     this.ball = makeBall();
     this.tags = new NameTags(over, onPick);
-    this.stage.scene.add(this.stadium.group, this.real.group, this.ghosts.group, this.ball,
-      this.ink.mesh);
+    this.stage.scene.add(
+      this.stadium.group,
+      this.real.group,
+      this.ghosts.group,
+      this.ball,
+      this.contacts.mesh,
+      this.ink.mesh,
+    );
     this.stage.lightField(field.width, field.length);
     this.shown.lines = this.stadium.lineCount;
   }
@@ -81,14 +95,24 @@ export class FieldView {
   // What is drawn of a robot where it really is, or else where it believes to be.
   shownRobot(robot: RobotMoment, place = robot.truth ?? robot.belief): ShownRobot | undefined {
     if (!place) return undefined;
-    return { pose: place, team: robot.team, joints: robot.joints ?? this.standing(),
-      stance: robot.stance, hideHead: this.views.mode === "eye" && robot.key === this.selected };
+    return {
+      pose: place,
+      team: robot.team,
+      joints: robot.joints ?? this.standing(),
+      stance: robot.stance,
+      hideHead: this.views.mode === "eye" && robot.key === this.selected,
+    };
   }
 
   // Joints of a robot without a log: those of another, or what the server says of standing.
   private standing(): readonly number[] {
-    return this.moment?.robots.find((r) => r.joints)?.joints ??
-      this.tree.body.stance?.joints ?? [];
+    return this.moment?.robots.find((r) => r.joints)?.joints ?? this.tree.body.stance?.joints ?? [];
+  }
+
+  // Where something that is dragged would be put.
+  dragTo(place: Point | undefined): void {
+    this.dragged = place;
+    this.stage.invalidate();
   }
 
   private prepare(): void {
@@ -106,17 +130,26 @@ export class FieldView {
     const robot = chosen && this.shownRobot(chosen);
     if (this.views.step(robot, moment.ball, seconds)) this.stage.invalidate();
     this.stage.camera.updateMatrixWorld();
-    this.tags.show(this.layers.has("names") ? moment.robots : [], this.selected,
-      this.stage.camera, this.views.mode === "eye" ? this.selected : "");
+    this.tags.show(
+      this.layers.has("names") ? moment.robots : [],
+      this.selected,
+      this.stage.camera,
+      this.views.mode === "eye" ? this.selected : "",
+    );
   }
 
   private showRobots(moment: Moment): void {
     const real = this.layers.has("robots")
-      ? moment.robots.flatMap((r) => this.shownRobot(r) ?? []) : [];
-    const ghosts = this.layers.has("ghosts") ? moment.robots.flatMap((r) =>
-      (r.truth && r.belief ? this.shownRobot(r, r.belief) : undefined) ?? []) : [];
+      ? moment.robots.flatMap((r) => this.shownRobot(r) ?? [])
+      : [];
+    const ghosts = this.layers.has("ghosts")
+      ? moment.robots.flatMap(
+          (r) => (r.truth && r.belief ? this.shownRobot(r, r.belief) : undefined) ?? [],
+        )
+      : [];
     this.real.show(real);
     this.ghosts.show(ghosts);
+    this.contacts.show(this.layers.has("shadows") ? [] : real, moment.ball);
     this.shown.robots = real.length;
     this.shown.ghosts = ghosts.length;
   }
@@ -135,11 +168,14 @@ export class FieldView {
     this.ink.clear();
     for (const robot of moment.robots) {
       const mine = robot.key === this.selected;
-      const layers = mine || this.selected === "" ? this.layers
-        : new Set([...this.layers].filter((l) => l === "aim"));
+      const layers =
+        mine || this.selected === ""
+          ? this.layers
+          : new Set([...this.layers].filter((l) => l === "aim"));
       drawBeliefs(robot, this.field, layers, this.ink);
       if (mine) this.mark(robot);
     }
+    if (this.dragged) this.ink.ring(this.dragged, 9, 2, 0xffffff);
     this.ink.finish();
     this.shown.beliefs = this.ink.count;
   }
@@ -148,8 +184,10 @@ export class FieldView {
   private mark(robot: RobotMoment): void {
     const shown = this.shownRobot(robot);
     if (!shown || this.views.mode === "eye") return;
-    const middle = { x: shown.pose.x - 7 * Math.cos(shown.pose.heading),
-      y: shown.pose.y - 7 * Math.sin(shown.pose.heading) };
+    const middle = {
+      x: shown.pose.x - 7 * Math.cos(shown.pose.heading),
+      y: shown.pose.y - 7 * Math.sin(shown.pose.heading),
+    };
     this.ink.ring(middle, 17, 1.6, 0xffffff, 0.9);
     if (this.layers.has("frustum")) this.frustum(shown);
   }
@@ -158,9 +196,17 @@ export class FieldView {
     const place = cameraPlace(robot, this.tree);
     const [across, down] = this.tree.body.camera?.opening ?? [1, 0.8];
     const from = new THREE.Vector3().setFromMatrixPosition(place);
-    const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, z]) => {
-      const ray = new THREE.Vector3(x! * Math.tan(across / 2), 1, z! * Math.tan(down / 2))
-        .transformDirection(place);
+    const corners = [
+      [-1, -1],
+      [1, -1],
+      [1, 1],
+      [-1, 1],
+    ].map(([x, z]) => {
+      const ray = new THREE.Vector3(
+        x! * Math.tan(across / 2),
+        1,
+        z! * Math.tan(down / 2),
+      ).transformDirection(place);
       const way = ray.z < -0.01 ? Math.min(500, -from.z / ray.z) : 500;
       return { x: from.x + way * ray.x, y: from.y + way * ray.y };
     });
@@ -173,8 +219,10 @@ export class FieldView {
 
 function makeBall(): THREE.Mesh {
   const radius = names.numbers["kBallRadius"]!;
-  const ball = new THREE.Mesh(new THREE.SphereGeometry(radius, 24, 16),
-    new THREE.MeshStandardMaterial({ color: 0xff6a13, roughness: 0.45 }));
+  const ball = new THREE.Mesh(
+    new THREE.SphereGeometry(radius, 24, 16),
+    new THREE.MeshStandardMaterial({ color: 0xff6a13, roughness: 0.45 }),
+  );
   ball.castShadow = true;
   return ball;
 }

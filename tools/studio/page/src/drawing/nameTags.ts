@@ -13,7 +13,10 @@ export class NameTags {
   private readonly tags = new Map<string, HTMLButtonElement>();
   private readonly point = new THREE.Vector3();
 
-  constructor(private readonly over: HTMLElement, private readonly onPick: (key: string) => void) {}
+  constructor(
+    private readonly over: HTMLElement,
+    private readonly onPick: (key: string) => void,
+  ) {}
 
   show(robots: readonly RobotMoment[], selected: string, camera: THREE.Camera, hide: string): void {
     const width = this.over.clientWidth;
@@ -26,8 +29,13 @@ export class NameTags {
       if (this.point.z > 1 || Math.abs(this.point.x) > 1.05 || Math.abs(this.point.y) > 1.05)
         continue;
       seen.add(robot.key);
-      this.place(this.tag(robot), robot, selected, ((this.point.x + 1) / 2) * width,
-        ((1 - this.point.y) / 2) * height);
+      this.place(
+        this.tag(robot),
+        robot,
+        selected,
+        ((this.point.x + 1) / 2) * width,
+        ((1 - this.point.y) / 2) * height,
+      );
     }
     for (const [key, tag] of this.tags) tag.hidden = !seen.has(key);
   }
@@ -46,8 +54,13 @@ export class NameTags {
     return tag;
   }
 
-  private place(tag: HTMLButtonElement, robot: RobotMoment, selected: string, x: number,
-    y: number): void {
+  private place(
+    tag: HTMLButtonElement,
+    robot: RobotMoment,
+    selected: string,
+    x: number,
+    y: number,
+  ): void {
     const role = roleName(numberAt(robot.output, "command.team.role"));
     const doing = robot.key === selected ? skillOf(robot) : role === "none" ? "" : role;
     setText(tag.firstElementChild!, String(robot.player));

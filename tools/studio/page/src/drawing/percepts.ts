@@ -34,10 +34,15 @@ export function boxesOf(percepts: Structure | undefined): Box[] {
   const kinds = names.enums["LandmarkKind"]!;
   const boxes = [
     ...listAt(percepts, "landmarks").flatMap((p) =>
-      boxAt(p, `${words(kinds[numberAt(p, "kind") ?? 0] ?? "landmark")}, ${cm(p)}`, "#ffffff")),
-    ...listAt(percepts, "robots").flatMap((p) => boxAt(p,
-      `${TEAM_NAMES[numberAt(p, "team") === 1 ? 1 : 0]} robot, ${cm(p)}`,
-      numberAt(p, "team") === 1 ? "#79a8ff" : "#ff7d74")),
+      boxAt(p, `${words(kinds[numberAt(p, "kind") ?? 0] ?? "landmark")}, ${cm(p)}`, "#ffffff"),
+    ),
+    ...listAt(percepts, "robots").flatMap((p) =>
+      boxAt(
+        p,
+        `${TEAM_NAMES[numberAt(p, "team") === 1 ? 1 : 0]} robot, ${cm(p)}`,
+        numberAt(p, "team") === 1 ? "#79a8ff" : "#ff7d74",
+      ),
+    ),
     ...listAt(percepts, "gaps").flatMap((p) => boxAt(p, "gap", "#7dff8a")),
     ...listAt(percepts, "pinkPatches").flatMap((p) => boxAt(p, `pink patch, ${cm(p)}`, "#ff9ad5")),
   ];
@@ -50,8 +55,16 @@ function ballBox(ball: Structure | undefined): Box[] {
   const r = numberAt(ball, "radius");
   if (!ball || !flagAt(ball, "present") || x === undefined || y === undefined || r === undefined)
     return [];
-  return [{ left: x - r, top: y - r, right: x + r, bottom: y + r, label: `ball, ${cm(ball)}`,
-    colour: "#ffa24a" }];
+  return [
+    {
+      left: x - r,
+      top: y - r,
+      right: x + r,
+      bottom: y + r,
+      label: `ball, ${cm(ball)}`,
+      colour: "#ffa24a",
+    },
+  ];
 }
 
 // "beaconBlueOnPink" -> "beacon blue on pink".
@@ -59,8 +72,12 @@ export function words(name: string): string {
   return name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`);
 }
 
-function border(c: CanvasRenderingContext2D, from: Structure | undefined, colour: string,
-  dashed: boolean): void {
+function border(
+  c: CanvasRenderingContext2D,
+  from: Structure | undefined,
+  colour: string,
+  dashed: boolean,
+): void {
   const left = numberAt(from, "atLeft");
   const right = numberAt(from, "atRight");
   if (left === undefined || right === undefined) return;
@@ -74,15 +91,23 @@ function border(c: CanvasRenderingContext2D, from: Structure | undefined, colour
 }
 
 // Draws over an image that fills the context's transform of WIDTH x HEIGHT; returns the boxes.
-export function drawPercepts(c: CanvasRenderingContext2D, output: Structure | undefined,
-  scale: number): Box[] {
+export function drawPercepts(
+  c: CanvasRenderingContext2D,
+  output: Structure | undefined,
+  scale: number,
+): Box[] {
   const percepts = structureAt(output, "percepts");
   c.lineWidth = 1.4 / scale;
   border(c, structureAt(output, "body.horizon"), "rgba(255,255,255,0.35)", true);
   for (const edge of listAt(percepts, "fieldEdges")) border(c, edge, "#7fe4ff", false);
   for (const point of listAt(percepts, "linePoints")) {
     c.fillStyle = LINE_POINT_COLOURS[numberAt(point, "kind") ?? 0] ?? "#fff";
-    c.fillRect((numberAt(point, "pixel.x") ?? -9) - 1, (numberAt(point, "pixel.y") ?? -9) - 1, 2, 2);
+    c.fillRect(
+      (numberAt(point, "pixel.x") ?? -9) - 1,
+      (numberAt(point, "pixel.y") ?? -9) - 1,
+      2,
+      2,
+    );
   }
   const boxes = boxesOf(percepts);
   for (const box of boxes) drawBox(c, box, scale);

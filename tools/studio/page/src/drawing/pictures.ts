@@ -18,8 +18,12 @@ export function pictureKind(input: Structure): PictureKind | undefined {
   return undefined;
 }
 
-export function fromYCrCb(y: Uint8Array, cr: Uint8Array, cb: Uint8Array,
-  out: Uint8ClampedArray): void {
+export function fromYCrCb(
+  y: Uint8Array,
+  cr: Uint8Array,
+  cb: Uint8Array,
+  out: Uint8ClampedArray,
+): void {
   for (let i = 0; i < PIXELS; ++i) {
     const light = y[i]!;
     const red = cr[i]! - 128;
@@ -58,8 +62,13 @@ export async function pictureOf(input: Structure): Promise<CanvasImageSource | u
   const context = canvas.getContext("2d")!;
   const pixels = context.createImageData(WIDTH, HEIGHT);
   if (kind === "classes") fromClasses(bytesAt(input, "plane")!, pixels.data);
-  else fromYCrCb(bytesAt(input, "image.y")!, bytesAt(input, "image.cr")!,
-    bytesAt(input, "image.cb")!, pixels.data);
+  else
+    fromYCrCb(
+      bytesAt(input, "image.y")!,
+      bytesAt(input, "image.cr")!,
+      bytesAt(input, "image.cb")!,
+      pixels.data,
+    );
   context.putImageData(pixels, 0, 0);
   return canvas;
 }

@@ -17,9 +17,19 @@ export class Ribbons {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(this.places, 3));
     geometry.setAttribute("color", new THREE.BufferAttribute(this.colours, 4));
-    this.mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ vertexColors: true,
-      transparent: true, side: THREE.DoubleSide, depthWrite: false, fog: false,
-      polygonOffset: true, polygonOffsetFactor: -4, polygonOffsetUnits: -4 }));
+    this.mesh = new THREE.Mesh(
+      geometry,
+      new THREE.MeshBasicMaterial({
+        vertexColors: true,
+        transparent: true,
+        side: THREE.DoubleSide,
+        depthWrite: false,
+        fog: false,
+        polygonOffset: true,
+        polygonOffsetFactor: -4,
+        polygonOffsetUnits: -4,
+      }),
+    );
     this.mesh.frustumCulled = false;
     this.mesh.renderOrder = 2;
   }
@@ -57,8 +67,14 @@ export class Ribbons {
     const length = Math.hypot(b.x - a.x, b.y - a.y) || 1;
     const nx = (-(b.y - a.y) / length) * (width / 2);
     const ny = ((b.x - a.x) / length) * (width / 2);
-    const corners = [[a.x + nx, a.y + ny], [a.x - nx, a.y - ny], [b.x - nx, b.y - ny],
-      [a.x + nx, a.y + ny], [b.x - nx, b.y - ny], [b.x + nx, b.y + ny]];
+    const corners = [
+      [a.x + nx, a.y + ny],
+      [a.x - nx, a.y - ny],
+      [b.x - nx, b.y - ny],
+      [a.x + nx, a.y + ny],
+      [b.x - nx, b.y - ny],
+      [b.x + nx, b.y + ny],
+    ];
     for (const [x, y] of corners) this.corner(x!, y!, z, alpha);
   }
 
@@ -70,8 +86,10 @@ export class Ribbons {
 
   dashes(a: Point, b: Point, width: number, colour: number, alpha = 1): void {
     const length = Math.hypot(b.x - a.x, b.y - a.y);
-    const at = (way: number) => ({ x: a.x + ((b.x - a.x) * way) / length,
-      y: a.y + ((b.y - a.y) * way) / length });
+    const at = (way: number) => ({
+      x: a.x + ((b.x - a.x) * way) / length,
+      y: a.y + ((b.y - a.y) * way) / length,
+    });
     this.ink.set(colour);
     for (let way = 0; way < length; way += 10)
       this.piece(at(way), at(Math.min(length, way + 6)), width, alpha, 0.8);
@@ -86,21 +104,35 @@ export class Ribbons {
     const head = Math.min(length, 3.2 * width);
     const neck = { x: b.x - ux * head, y: b.y - uy * head };
     this.line(a, neck, width, colour, alpha);
-    this.triangle({ x: neck.x - uy * head * 0.6, y: neck.y + ux * head * 0.6 },
-      { x: neck.x + uy * head * 0.6, y: neck.y - ux * head * 0.6 }, b, colour, alpha);
+    this.triangle(
+      { x: neck.x - uy * head * 0.6, y: neck.y + ux * head * 0.6 },
+      { x: neck.x + uy * head * 0.6, y: neck.y - ux * head * 0.6 },
+      b,
+      colour,
+      alpha,
+    );
   }
 
   // One standard deviation of a symmetric 2 x 2 covariance; any root of it draws the same ellipse.
-  ellipse(middle: Point, xx: number, xy: number, yy: number, width: number, colour: number,
-    alpha = 1): void {
+  ellipse(
+    middle: Point,
+    xx: number,
+    xy: number,
+    yy: number,
+    width: number,
+    colour: number,
+    alpha = 1,
+  ): void {
     const a = Math.sqrt(Math.max(xx, 0));
     const b = a > 0 ? xy / a : 0;
     const c = Math.sqrt(Math.max(yy - b * b, 0));
     const corners = 32;
     const at = (i: number) => {
       const turn = (2 * Math.PI * i) / corners;
-      return { x: middle.x + a * Math.cos(turn),
-        y: middle.y + b * Math.cos(turn) + c * Math.sin(turn) };
+      return {
+        x: middle.x + a * Math.cos(turn),
+        y: middle.y + b * Math.cos(turn) + c * Math.sin(turn),
+      };
     };
     this.ink.set(colour);
     for (let i = 0; i < corners; ++i) this.piece(at(i), at(i + 1), width, alpha, 0.8);
@@ -112,7 +144,13 @@ export class Ribbons {
   }
 
   square(middle: Point, side: number, colour: number, alpha: number): void {
-    this.line({ x: middle.x - side / 2, y: middle.y }, { x: middle.x + side / 2, y: middle.y },
-      side, colour, alpha, 0.6);
+    this.line(
+      { x: middle.x - side / 2, y: middle.y },
+      { x: middle.x + side / 2, y: middle.y },
+      side,
+      colour,
+      alpha,
+      0.6,
+    );
   }
 }

@@ -32,7 +32,10 @@ export class RobotMeshes {
   private readonly matrix = new THREE.Matrix4();
   private readonly colour = new THREE.Color();
 
-  constructor(private readonly tree: BodyTree, ghost: boolean) {
+  constructor(
+    private readonly tree: BodyTree,
+    ghost: boolean,
+  ) {
     tree.links.forEach((link, i) => {
       const plain = link.shapes.filter((s) => s.paint !== "uniform");
       const uniform = link.shapes.filter((s) => s.paint === "uniform");
@@ -45,8 +48,12 @@ export class RobotMeshes {
   }
 
   private add(geometry: THREE.BufferGeometry, link: number, uniform: boolean, ghost: boolean) {
-    const material = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: ghost,
-      opacity: ghost ? 0.28 : 1, depthWrite: !ghost });
+    const material = new THREE.MeshLambertMaterial({
+      vertexColors: true,
+      transparent: ghost,
+      opacity: ghost ? 0.28 : 1,
+      depthWrite: !ghost,
+    });
     const mesh = new THREE.InstancedMesh(geometry, material, MOST);
     mesh.count = 0;
     mesh.frustumCulled = false;
@@ -83,4 +90,58 @@ export class RobotMeshes {
 export function robotMatrix(pose: Pose, out = new THREE.Matrix4()): THREE.Matrix4 {
   out.makeRotationZ(pose.heading - Math.PI / 2);
   return out.setPosition(pose.x, pose.y, 0);
+}
+
+// Soft dark spots where robots and ball touch the carpet: they tell where something stands at a
+// small part of the cost of the sun's shadows.
+export class ContactShadows {
+  readonly mesh: THREE.InstancedMesh;
+  private readonly matrix = new THREE.Matrix4();
+
+  constructor() {
+    const material = new THREE.MeshBasicMaterial({
+      map: spot(),
+      transparent: true,
+      depthWrite: false,
+      fog: false,
+      polygonOffset: true,
+      polygonOffsetFactor: -3,
+      polygonOffsetUnits: -3,
+    });
+    this.mesh = new THREE.InstancedMesh(new THREE.PlaneGeometry(1, 1), material, MOST + 1);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 1;
+  }
+
+  show(robots: readonly ShownRobot[], ball: { x: number; y: number } | undefined): void {
+    let count = 0;
+    for (const { pose } of robots.slice(0, MOST)) {
+      this.matrix.makeRotationZ(pose.heading).scale(new THREE.Vector3(34, 23, 1));
+      this.matrix.setPosition(
+        pose.x - 5 * Math.cos(pose.heading),
+        pose.y - 5 * Math.sin(pose.heading),
+        0.35,
+      );
+      this.mesh.setMatrixAt(count++, this.matrix);
+    }
+    if (ball) {
+      this.matrix.makeScale(12, 12, 1).setPosition(ball.x + 0.6, ball.y + 0.6, 0.35);
+      this.mesh.setMatrixAt(count++, this.matrix);
+    }
+    this.mesh.count = count;
+    this.mesh.instanceMatrix.needsUpdate = true;
+  }
+}
+
+function spot(): THREE.Texture {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 64;
+  const c = canvas.getContext("2d")!;
+  const shade = c.createRadialGradient(32, 32, 2, 32, 32, 32);
+  shade.addColorStop(0, "rgba(4,16,8,0.72)");
+  shade.addColorStop(0.5, "rgba(4,16,8,0.42)");
+  shade.addColorStop(1, "rgba(4,16,8,0)");
+  c.fillStyle = shade;
+  c.fillRect(0, 0, 64, 64);
+  return new THREE.CanvasTexture(canvas);
 }

@@ -40,16 +40,22 @@ function carpet(field: Field): THREE.Mesh {
   const length = field.length + 2 * field.endFringe;
   const texture = carpetTexture();
   texture.repeat.set(width / 60, length / 60);
-  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(width, length),
-    new THREE.MeshLambertMaterial({ map: texture }));
+  const mesh = new THREE.Mesh(
+    new THREE.PlaneGeometry(width, length),
+    new THREE.MeshLambertMaterial({ map: texture, fog: false }),
+  );
+  mesh.renderOrder = 2;
   mesh.position.set(field.width / 2, field.length / 2, 0);
   mesh.receiveShadow = true;
   return mesh;
 }
 
 function edgeOfCarpet(field: Field): THREE.BufferGeometry {
-  const box = new THREE.BoxGeometry(field.width + 2 * field.sideFringe,
-    field.length + 2 * field.endFringe, 1);
+  const box = new THREE.BoxGeometry(
+    field.width + 2 * field.sideFringe,
+    field.length + 2 * field.endFringe,
+    1,
+  );
   return coloured(box.translate(field.width / 2, field.length / 2, -0.6), 0x1f5a2e);
 }
 
@@ -57,15 +63,28 @@ const LINE_HEIGHT = 0.25; // cm, above the carpet, so that it does not hide them
 
 function paintedLines(field: Field): THREE.Mesh {
   const parts = field.lines.map(({ start, end }) =>
-    stripe(start.x, start.y, end.x, end.y, field.lineWidth, LINE_HEIGHT));
+    stripe(start.x, start.y, end.x, end.y, field.lineWidth, LINE_HEIGHT),
+  );
   const radius = field.circleDiameter / 2;
   if (radius > 0)
-    parts.push(new THREE.RingGeometry(radius - field.lineWidth / 2, radius + field.lineWidth / 2, 48)
-      .translate(field.width / 2, field.length / 2, LINE_HEIGHT));
-  const mesh = new THREE.Mesh(merged(parts.map((p) => coloured(p, COLOURS.white))),
-    new THREE.MeshLambertMaterial({ vertexColors: true, polygonOffset: true,
-      polygonOffsetFactor: -2, polygonOffsetUnits: -2 }));
-  mesh.receiveShadow = true;
+    parts.push(
+      new THREE.RingGeometry(
+        radius - field.lineWidth / 2,
+        radius + field.lineWidth / 2,
+        48,
+      ).translate(field.width / 2, field.length / 2, LINE_HEIGHT),
+    );
+  const mesh = new THREE.Mesh(
+    merged(parts.map((p) => coloured(p, COLOURS.white))),
+    new THREE.MeshBasicMaterial({
+      vertexColors: true,
+      polygonOffset: true,
+      polygonOffsetFactor: -2,
+      polygonOffsetUnits: -2,
+      fog: false,
+    }),
+  );
+  mesh.renderOrder = 1;
   return mesh;
 }
 
@@ -80,15 +99,25 @@ function goal(field: Field, mark: Landmark): THREE.BufferGeometry[] {
   const { goalWidth: w, goalDepth: d, goalHeight: h } = field;
   const wall = (sx: number, sy: number, sz: number, cx: number, cy: number, cz: number) =>
     coloured(new THREE.BoxGeometry(sx, sy, sz).translate(cx, cy, cz), colour);
-  const post = (side: number) => coloured(new THREE.CylinderGeometry(1.4, 1.4, h, 12)
-    .rotateX(Math.PI / 2).translate(x + side * (w / 2 + 0.7), y, h / 2), colour);
+  const post = (side: number) =>
+    coloured(
+      new THREE.CylinderGeometry(1.4, 1.4, h, 12)
+        .rotateX(Math.PI / 2)
+        .translate(x + side * (w / 2 + 0.7), y, h / 2),
+      colour,
+    );
   return [
-    wall(1.2, d, h, x - w / 2 - 0.6, y + out * d / 2, h / 2),
-    wall(1.2, d, h, x + w / 2 + 0.6, y + out * d / 2, h / 2),
+    wall(1.2, d, h, x - w / 2 - 0.6, y + (out * d) / 2, h / 2),
+    wall(1.2, d, h, x + w / 2 + 0.6, y + (out * d) / 2, h / 2),
     wall(w + 2.4, 1.2, h, x, y + out * d, h / 2),
-    coloured(new THREE.CylinderGeometry(1.2, 1.2, w + 2.4, 10).rotateZ(Math.PI / 2)
-      .translate(x, y, h - 1.2), colour),
-    post(-1), post(1),
+    coloured(
+      new THREE.CylinderGeometry(1.2, 1.2, w + 2.4, 10)
+        .rotateZ(Math.PI / 2)
+        .translate(x, y, h - 1.2),
+      colour,
+    ),
+    post(-1),
+    post(1),
   ];
 }
 
@@ -97,28 +126,41 @@ function beacon(field: Field, mark: Landmark): THREE.BufferGeometry[] {
   const [, upper, lower] = /beacon(\w+)On(\w+)/.exec(mark.kind) ?? [];
   const band = field.beaconHeight / 4;
   const colours = [COLOURS.white, COLOURS.white, colourOf(lower ?? ""), colourOf(upper ?? "")];
-  return colours.map((colour, i) => coloured(
-    new THREE.CylinderGeometry(field.beaconRadius, field.beaconRadius, band, 24)
-      .rotateX(Math.PI / 2)
-      .translate(mark.position.x, mark.position.y, (i + 0.5) * band), colour));
+  return colours.map((colour, i) =>
+    coloured(
+      new THREE.CylinderGeometry(field.beaconRadius, field.beaconRadius, band, 24)
+        .rotateX(Math.PI / 2)
+        .translate(mark.position.x, mark.position.y, (i + 0.5) * band),
+      colour,
+    ),
+  );
 }
 
 // On the carpet beside the field: red attacks up-field.
 function attackArrows(field: Field): THREE.Mesh {
   const arrow = (x: number, from: number, to: number, colour: number) => {
     const way = Math.sign(to - from);
-    const head = new THREE.Shape([new THREE.Vector2(-4, 0), new THREE.Vector2(4, 0),
-      new THREE.Vector2(0, 9 * way)]);
+    const head = new THREE.Shape([
+      new THREE.Vector2(-4, 0),
+      new THREE.Vector2(4, 0),
+      new THREE.Vector2(0, 9 * way),
+    ]);
     const tip = new THREE.ShapeGeometry(head);
     if (way < 0) tip.scale(-1, 1, 1);
-    return [coloured(stripe(x, from, x, to, 2.4, 0.3), colour),
-      coloured(tip.translate(x, to, 0.3), colour)];
+    return [
+      coloured(stripe(x, from, x, to, 2.4, 0.3), colour),
+      coloured(tip.translate(x, to, 0.3), colour),
+    ];
   };
   const middle = field.length / 2;
-  const parts = [...arrow(-field.sideFringe / 2, middle - 40, middle + 40, 0xff5a4f),
-    ...arrow(field.width + field.sideFringe / 2, middle + 40, middle - 40, 0x6aa5ff)];
-  return new THREE.Mesh(merged(parts), new THREE.MeshBasicMaterial({ vertexColors: true,
-    side: THREE.DoubleSide }));
+  const parts = [
+    ...arrow(-field.sideFringe / 2, middle - 40, middle + 40, 0xff5a4f),
+    ...arrow(field.width + field.sideFringe / 2, middle + 40, middle - 40, 0x6aa5ff),
+  ];
+  return new THREE.Mesh(
+    merged(parts),
+    new THREE.MeshBasicMaterial({ vertexColors: true, side: THREE.DoubleSide }),
+  );
 }
 
 export interface Stadium {
@@ -129,13 +171,16 @@ export interface Stadium {
 
 export function makeStadium(field: Field): Stadium {
   const group = new THREE.Group();
-  const marks = field.landmarks.flatMap((mark) => mark.kind.startsWith("goal")
-    ? goal(field, mark) : beacon(field, mark));
-  const standing = new THREE.Mesh(merged([edgeOfCarpet(field), ...marks]),
-    new THREE.MeshLambertMaterial({ vertexColors: true }));
+  const marks = field.landmarks.flatMap((mark) =>
+    mark.kind.startsWith("goal") ? goal(field, mark) : beacon(field, mark),
+  );
+  const standing = new THREE.Mesh(
+    merged([edgeOfCarpet(field), ...marks]),
+    new THREE.MeshLambertMaterial({ vertexColors: true }),
+  );
   standing.castShadow = standing.receiveShadow = true;
   const arrows = attackArrows(field);
   group.add(carpet(field), paintedLines(field), standing, arrows);
-  for (const child of group.children) child.matrixAutoUpdate = false, child.updateMatrix();
+  for (const child of group.children) (child.matrixAutoUpdate = false), child.updateMatrix();
   return { group, arrows, lineCount: field.lines.length };
 }

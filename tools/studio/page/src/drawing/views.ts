@@ -26,8 +26,13 @@ export class Views {
   private readonly play = new THREE.Vector2(); // what broadcast follows, smoothed
   private started = false;
 
-  constructor(private readonly camera: THREE.PerspectiveCamera, element: HTMLElement,
-    private readonly field: Field, private readonly tree: BodyTree, changed: () => void) {
+  constructor(
+    private readonly camera: THREE.PerspectiveCamera,
+    element: HTMLElement,
+    private readonly field: Field,
+    private readonly tree: BodyTree,
+    changed: () => void,
+  ) {
     this.controls = new OrbitControls(camera, element);
     this.controls.enableDamping = false;
     this.controls.maxPolarAngle = Math.PI / 2 - 0.02;
@@ -68,8 +73,10 @@ export class Views {
     this.camera.lookAt(this.target);
     this.controls.target.copy(this.target);
     this.started = true;
-    return this.camera.position.distanceTo(goal.position) > 0.3 ||
-      this.target.distanceTo(goal.target) > 0.3;
+    return (
+      this.camera.position.distanceTo(goal.position) > 0.3 ||
+      this.target.distanceTo(goal.target) > 0.3
+    );
   }
 
   private goalOf(robot: ShownRobot | undefined, ball: Point | undefined, seconds: number): Goal {
@@ -87,10 +94,14 @@ export class Views {
     const along = THREE.MathUtils.clamp(this.play.y, 0.25 * length, 0.75 * length);
     const near = this.camera.aspect > 2 ? 0.9 : 1;
     return {
-      position: new THREE.Vector3(-0.62 * width * near, length / 2 + 0.5 * (along - length / 2),
-        0.66 * width),
+      position: new THREE.Vector3(
+        -0.62 * width * near,
+        length / 2 + 0.5 * (along - length / 2),
+        0.66 * width,
+      ),
       target: new THREE.Vector3(width / 2 + 0.22 * (this.play.x - width / 2), along, 0),
-      fov: 40, up: UP,
+      fov: 40,
+      up: UP,
     };
   }
 
@@ -101,8 +112,12 @@ export class Views {
     const half = Math.tan(THREE.MathUtils.degToRad(15));
     const height = Math.max(down / (2 * half), across / (2 * half * this.camera.aspect));
     const middle = new THREE.Vector3(width / 2, length / 2, 0);
-    return { position: middle.clone().setZ(height), target: middle, fov: 30,
-      up: new THREE.Vector3(1, 0, 0) };
+    return {
+      position: middle.clone().setZ(height),
+      target: middle,
+      fov: 30,
+      up: new THREE.Vector3(1, 0, 0),
+    };
   }
 
   // Through the camera of the head, as its joints and the body put it.
@@ -111,9 +126,12 @@ export class Views {
     const ahead = new THREE.Vector3().setFromMatrixColumn(place, 1);
     const position = new THREE.Vector3().setFromMatrixPosition(place);
     const vertical = this.tree.body.camera?.opening[1] ?? 0.8;
-    return { position, target: position.clone().addScaledVector(ahead, 60),
+    return {
+      position,
+      target: position.clone().addScaledVector(ahead, 60),
       fov: THREE.MathUtils.radToDeg(2 * Math.atan(Math.tan(vertical / 2) / EYE_SHARE)),
-      up: new THREE.Vector3().setFromMatrixColumn(place, 2) };
+      up: new THREE.Vector3().setFromMatrixColumn(place, 2),
+    };
   }
 }
 
@@ -131,6 +149,10 @@ export function cameraPlace(robot: ShownRobot, tree: BodyTree): THREE.Matrix4 {
 function follow(robot: ShownRobot): Goal {
   const ahead = new THREE.Vector3(Math.cos(robot.pose.heading), Math.sin(robot.pose.heading), 0);
   const here = new THREE.Vector3(robot.pose.x, robot.pose.y, 12);
-  return { position: here.clone().addScaledVector(ahead, -85).setZ(52),
-    target: here.clone().addScaledVector(ahead, 30), fov: 48, up: UP };
+  return {
+    position: here.clone().addScaledVector(ahead, -85).setZ(52),
+    target: here.clone().addScaledVector(ahead, 30),
+    fov: 48,
+    up: UP,
+  };
 }

@@ -31,6 +31,42 @@ export interface Stance {
   bodyRoll: number; // left side up positive
 }
 
+// What a server sends, with one shape alone or a list of them.
+interface SentBody {
+  links?: (Partial<Omit<Link, "shapes">> & { name: string; shapes?: Shape | Shape[] })[];
+  camera?: {
+    link: string;
+    origin?: Triple;
+    opening?: [number, number];
+    opening_rad?: [number, number];
+  };
+  stance?: Body["stance"];
+}
+
+export function bodyOf(sent: SentBody): Body {
+  const links = (sent.links ?? []).map(
+    (link) =>
+      ({
+        name: link.name,
+        parent: link.parent || null,
+        origin: link.origin ?? [0, 0, 0],
+        axis: link.axis ?? [1, 0, 0],
+        joint: link.joint ?? -1,
+        sign: link.sign ?? 1,
+        shapes: Array.isArray(link.shapes) ? link.shapes : link.shapes ? [link.shapes] : [],
+      }) satisfies Link,
+  );
+  const body: Body = { links };
+  if (sent.camera)
+    body.camera = {
+      link: sent.camera.link,
+      origin: sent.camera.origin ?? [0, 0, 0],
+      opening: sent.camera.opening ?? sent.camera.opening_rad ?? [1, 0.8],
+    };
+  if (sent.stance) body.stance = sent.stance;
+  return body;
+}
+
 const NECK_TILT = 0; // joints in the order of the logs
 const HEAD_PAN = 1;
 const HEAD_NOD = 2;
@@ -85,8 +121,10 @@ export class BodyTree {
 
 function rollAbout(height: number, roll: number): Matrix4 {
   const down = new Matrix4().makeTranslation(0, 0, -height);
-  return new Matrix4().makeTranslation(0, 0, height)
-    .multiply(new Matrix4().makeRotationY(roll)).multiply(down);
+  return new Matrix4()
+    .makeTranslation(0, 0, height)
+    .multiply(new Matrix4().makeRotationY(roll))
+    .multiply(down);
 }
 
 // Pan and nod of a head whose camera looks along the direction (in the robot frame), by the angle

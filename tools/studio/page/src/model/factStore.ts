@@ -17,14 +17,30 @@ export function joinSegments(lists: Segment[][]): Segment[] {
   return joined;
 }
 
+// Adds to the list itself; a time before the list's end begins it anew.
+function joinTail(list: Segment[], more: Segment[]): Segment[] {
+  for (const segment of more) {
+    const last = list[list.length - 1];
+    if (last && segment.to < last.from) list.length = 0;
+    if (last && last.label === segment.label && segment.from - last.to < TOUCH)
+      last.to = Math.max(last.to, segment.to);
+    else list.push(segment);
+  }
+  return list;
+}
+
 export function joinMarks(marks: Mark[]): Mark[] {
   const last = new Map<string, number>();
-  return marks.slice().sort((a, b) => a.time - b.time).filter(({ time, kind, text }) => {
-    const before = last.get(`${kind} ${text}`);
-    last.set(`${kind} ${text}`, time);
-    return kind === "referee" || kind === "goal" || before === undefined ||
-      time - before > SAME_MARK;
-  });
+  return marks
+    .slice()
+    .sort((a, b) => a.time - b.time)
+    .filter(({ time, kind, text }) => {
+      const before = last.get(`${kind} ${text}`);
+      last.set(`${kind} ${text}`, time);
+      return (
+        kind === "referee" || kind === "goal" || before === undefined || time - before > SAME_MARK
+      );
+    });
 }
 
 export class FactStore {
@@ -37,9 +53,19 @@ export class FactStore {
 
   addRows(robot: string, chunk: number, rows: Rows): void {
     let chunks = this.rows.get(robot);
-    if (!chunks) this.rows.set(robot, chunks = new Map());
+    if (!chunks) this.rows.set(robot, (chunks = new Map()));
     chunks.set(chunk, rows);
     this.joined.delete(robot);
+  }
+
+  // Of a live match: what follows all that was.
+  appendRows(robot: string, rows: Rows): void {
+    let chunks = this.rows.get(robot);
+    if (!chunks) this.rows.set(robot, (chunks = new Map()));
+    const last = chunks.get(0);
+    if (!last) chunks.set(0, rows);
+    else for (const row of ROWS) last[row] = joinTail(last[row], rows[row]);
+    this.joined.set(robot, chunks.get(0)!);
   }
 
   addMarks(marks: readonly Mark[]): void {
@@ -56,6 +82,12 @@ export class FactStore {
   // Of a live match only the last minutes are kept.
   forgetBefore(time: number): void {
     for (const [robot, chunks] of this.rows) {
+      const live = chunks.get(0);
+      if (live && chunks.size === 1) {
+        for (const row of ROWS) live[row] = live[row].filter((s) => s.to >= time);
+        this.joined.set(robot, live);
+        continue;
+      }
       for (const [chunk, rows] of chunks)
         if (ROWS.every((row) => (rows[row][rows[row].length - 1]?.to ?? 0) < time))
           chunks.delete(chunk);
@@ -82,7 +114,8 @@ export class FactStore {
   }
 
   get possession(): readonly Possession[] {
-    this.shownPossession ??= [...this.possessions].sort((a, b) => a[0] - b[0])
+    this.shownPossession ??= [...this.possessions]
+      .sort((a, b) => a[0] - b[0])
       .flatMap(([, list]) => list);
     return this.shownPossession;
   }

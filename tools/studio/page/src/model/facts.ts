@@ -5,8 +5,19 @@ import names from "kelpie:names";
 import { numberAt, structureAt } from "../reading/access";
 import type { Structure, Wanted } from "../reading/decoder";
 import type { Team } from "./field";
-import { decisionsOf, eventKind, eventSentence, fallbackOf, legsOf, motionName, motionUse,
-  robotWords, roleName, sentenceOf, type Decision } from "./words";
+import {
+  decisionsOf,
+  eventKind,
+  eventSentence,
+  fallbackOf,
+  legsOf,
+  motionName,
+  motionUse,
+  robotWords,
+  roleName,
+  sentenceOf,
+  type Decision,
+} from "./words";
 
 export const ROWS = ["role", "player", "skill", "motion"] as const;
 export type Row = (typeof ROWS)[number];
@@ -31,8 +42,9 @@ export interface Possession {
   team: Team | -1;
 }
 
-export const OUTPUT_WANTED: Wanted = { command: { walk: true, motion: true, team: { role: true },
-  fallback: true, trace: true } };
+export const OUTPUT_WANTED: Wanted = {
+  command: { walk: true, motion: true, team: { role: true }, fallback: true, trace: true },
+};
 export const INPUT_WANTED: Wanted = { motion: { running: true, feeling: true } };
 
 export function emptyRows(): Rows {
@@ -64,7 +76,7 @@ export function addOutput(rows: Rows, output: Structure, time: number, end: numb
   const why = (d: Decision | undefined) => instead || (d ? sentenceOf(d) : "No reason is given.");
   const whole = trace.map(sentenceOf).join(" ") || instead || "No reason is given.";
   put(rows.role, time, end, role, roleStep ? why(roleStep) : why(player));
-  put(rows.player, time, end, instead ? "fallback" : player?.branch ?? "", why(player));
+  put(rows.player, time, end, instead ? "fallback" : (player?.branch ?? ""), why(player));
   put(rows.skill, time, end, instead ? "fallback" : lineOf(skill), whole);
   const legs = legsOf(command);
   put(rows.motion, time, end, legs, `The legs ${legs.includes("_") ? "play " : ""}${legs}.`);
@@ -80,8 +92,13 @@ export const NOTHING_BEFORE: Before = { motion: 0, fallback: "", fallen: 0 };
 const MARK_OF_USE: Record<string, MarkKind> = { kick: "kick", grab: "grab" };
 
 // Marks of what begins in this frame: kicks, grabs, errors of the script.
-export function outputMarks(output: Structure, time: number, team: Team, player: number,
-  before: Before): Mark[] {
+export function outputMarks(
+  output: Structure,
+  time: number,
+  team: Team,
+  player: number,
+  before: Before,
+): Mark[] {
   const command = structureAt(output, "command");
   const motion = numberAt(command, "motion") ?? 0;
   const fallback = fallbackOf(command);
@@ -97,20 +114,31 @@ export function outputMarks(output: Structure, time: number, team: Team, player:
   return marks;
 }
 
-export function inputMarks(input: Structure, time: number, team: Team, player: number,
-  before: Before): Mark[] {
+export function inputMarks(
+  input: Structure,
+  time: number,
+  team: Team,
+  player: number,
+  before: Before,
+): Mark[] {
   const fallen = numberAt(input, "motion.feeling.fallen") ?? 0;
   const side = names.enums["FallSide"]![fallen] ?? "";
-  const marks: Mark[] = fallen !== 0 && before.fallen === 0
-    ? [{ time, kind: "fall", team, text: `${robotWords(team, player)} has fallen: ${side}` }] : [];
+  const marks: Mark[] =
+    fallen !== 0 && before.fallen === 0
+      ? [{ time, kind: "fall", team, text: `${robotWords(team, player)} has fallen: ${side}` }]
+      : [];
   before.fallen = fallen;
   return marks;
 }
 
 export function eventMark(event: Structure, time: number): Mark {
   const kind = eventKind(event);
-  const mark: MarkKind = kind === "goal" ? "goal"
-    : kind === "carried" || kind === "taken" || kind === "returned" ? "carry" : "referee";
+  const mark: MarkKind =
+    kind === "goal"
+      ? "goal"
+      : kind === "carried" || kind === "taken" || kind === "returned"
+        ? "carry"
+        : "referee";
   const team = numberAt(event, "team");
   const ofTeam = kind === "goal" || kind === "penalty" || kind === "back" || kind === "ready";
   return { time, kind: mark, team: ofTeam ? (team === 1 ? 1 : 0) : -1, text: eventSentence(event) };
@@ -125,15 +153,21 @@ export function possessionOf(truth: Structure): Team | -1 {
   let best = REACH;
   let team: Team | -1 = -1;
   for (const robot of (truth["robots"] ?? []) as Structure[]) {
-    const away = Math.hypot((numberAt(robot, "pose.position.x") ?? 0) - x,
-      (numberAt(robot, "pose.position.y") ?? 0) - y);
-    if (away < best) best = away, team = numberAt(robot, "team") === 1 ? 1 : 0;
+    const away = Math.hypot(
+      (numberAt(robot, "pose.position.x") ?? 0) - x,
+      (numberAt(robot, "pose.position.y") ?? 0) - y,
+    );
+    if (away < best) (best = away), (team = numberAt(robot, "team") === 1 ? 1 : 0);
   }
   return team;
 }
 
-export function putPossession(list: Possession[], time: number, end: number,
-  team: Team | -1): void {
+export function putPossession(
+  list: Possession[],
+  time: number,
+  end: number,
+  team: Team | -1,
+): void {
   const last = list[list.length - 1];
   if (last && last.team === team && time - last.to < 400e3) last.to = end;
   else list.push({ from: time, to: end, team });

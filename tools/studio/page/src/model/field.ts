@@ -70,11 +70,17 @@ export function fieldOf(config: Structure | undefined): Field | undefined {
   const size = (name: string) => numberAt(from, name) ?? 0;
   if (size("width") === 0 || size("length") === 0) return undefined;
   return {
-    width: size("width"), length: size("length"), goalWidth: size("goalWidth"),
-    goalDepth: size("goalDepth"), goalHeight: size("goalHeight"),
-    circleDiameter: size("circleDiameter"), lineWidth: size("lineWidth"),
-    sideFringe: size("sideFringe"), endFringe: size("endFringe"),
-    borderWidth: size("borderWidth"), beaconRadius: size("beaconRadius"),
+    width: size("width"),
+    length: size("length"),
+    goalWidth: size("goalWidth"),
+    goalDepth: size("goalDepth"),
+    goalHeight: size("goalHeight"),
+    circleDiameter: size("circleDiameter"),
+    lineWidth: size("lineWidth"),
+    sideFringe: size("sideFringe"),
+    endFringe: size("endFringe"),
+    borderWidth: size("borderWidth"),
+    beaconRadius: size("beaconRadius"),
     beaconHeight: size("beaconHeight"),
     lines: listAt(from, "lines").flatMap(lineOf),
     landmarks: listAt(from, "landmarks").flatMap(landmarkOf),
@@ -83,7 +89,10 @@ export function fieldOf(config: Structure | undefined): Field | undefined {
 
 // From a team's own field to the red team's.
 export class MapFrame {
-  constructor(private readonly field: Field, private readonly team: Team) {}
+  constructor(
+    private readonly field: Field,
+    private readonly team: Team,
+  ) {}
 
   point(p: Point): Point {
     return this.team === 0 ? p : { x: this.field.width - p.x, y: this.field.length - p.y };
@@ -113,6 +122,9 @@ export function angleBetween(a: number, b: number, share: number): number {
 }
 
 export function poseBetween(a: Pose, b: Pose, share: number): Pose {
-  return { x: between(a.x, b.x, share), y: between(a.y, b.y, share),
-    heading: angleBetween(a.heading, b.heading, share) };
+  return {
+    x: between(a.x, b.x, share),
+    y: between(a.y, b.y, share),
+    heading: angleBetween(a.heading, b.heading, share),
+  };
 }

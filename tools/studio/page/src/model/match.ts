@@ -81,9 +81,13 @@ export interface OpenLog {
 // The match of several logs: the world's truth is that of the first log that holds it.
 export function matchOf(logs: OpenLog[]): Match {
   const withTruth = logs.find((log) => log.file.channels.has("/truth"));
-  const robots = logs.filter((log) => log.file.channels.has(OUTPUT_TOPIC) ||
-    INPUT_TOPICS.some((topic) => log.file.channels.has(topic)))
-    .flatMap((log) => log.config ? [robotOf(log.file, log.config, log.place)] : [])
+  const robots = logs
+    .filter(
+      (log) =>
+        log.file.channels.has(OUTPUT_TOPIC) ||
+        INPUT_TOPICS.some((topic) => log.file.channels.has(topic)),
+    )
+    .flatMap((log) => (log.config ? [robotOf(log.file, log.config, log.place)] : []))
     .sort((a, b) => a.team - b.team || a.player - b.player);
   return {
     robots,
@@ -100,8 +104,10 @@ export function matchOf(logs: OpenLog[]): Match {
 function lacksOf(logs: OpenLog[]): string[] {
   const notes: string[] = [];
   if (!logs.some((log) => log.file.channels.has("/truth")))
-    notes.push("No log says what really happened: robots and ball are drawn where they are " +
-      "believed to be.");
+    notes.push(
+      "No log says what really happened: robots and ball are drawn where they are " +
+        "believed to be.",
+    );
   for (const log of logs) notes.push(...lacksOfOne(log));
   return notes;
 }
@@ -119,8 +125,10 @@ function lacksOfOne({ name, file, config }: OpenLog): string[] {
   const type = file.typeOf(OUTPUT_TOPIC);
   if (!type) return config ? [`${name} holds no outputs: no beliefs and no decisions.`] : [];
   const missing = Object.keys(USED).filter((path) => !hasMember(type, path));
-  const notes = missing.length > 0
-    ? [`${name} is of another version and lacks ${missing.map((m) => USED[m]).join(", ")}.`] : [];
+  const notes =
+    missing.length > 0
+      ? [`${name} is of another version and lacks ${missing.map((m) => USED[m]).join(", ")}.`]
+      : [];
   if (!INPUT_TOPICS.some((topic) => file.channels.has(topic)))
     notes.push(`${name} holds no inputs: no joints and no camera.`);
   return notes;

@@ -6,7 +6,15 @@ import { flagAt, listAt, numberAt, numbersAt, structureAt } from "../reading/acc
 import type { Structure } from "../reading/decoder";
 import type { Around, Message, Stream } from "../reading/stream";
 import { headTowards, type Stance } from "./body";
-import { MapFrame, between, pointAt, poseAt, poseBetween, type Point, type Pose, type Team,
+import {
+  MapFrame,
+  between,
+  pointAt,
+  poseAt,
+  poseBetween,
+  type Point,
+  type Pose,
+  type Team,
 } from "./field";
 import { robotKey, type Match, type RobotStreams } from "./match";
 
@@ -64,16 +72,26 @@ interface TrueRobot {
 function stanceOf(from: Structure | undefined): Stance | undefined {
   const height = numberAt(from, "shoulderHeight");
   if (height === undefined || height === 0) return undefined;
-  return { shoulderHeight: height, bodyTilt: numberAt(from, "bodyTilt") ?? 0,
-    bodyRoll: numberAt(from, "bodyRoll") ?? 0 };
+  return {
+    shoulderHeight: height,
+    bodyTilt: numberAt(from, "bodyTilt") ?? 0,
+    bodyRoll: numberAt(from, "bodyRoll") ?? 0,
+  };
 }
 
 function trueRobots(truth: Structure | undefined): TrueRobot[] {
   return listAt(truth, "robots").flatMap((robot) => {
     const pose = poseAt(robot, "pose");
-    return pose ? [{ team: numberAt(robot, "team") === 1 ? 1 : 0,
-      player: numberAt(robot, "player") ?? 1, pose,
-      stance: stanceOf(structureAt(robot, "stance")) ?? STANDING } as TrueRobot] : [];
+    return pose
+      ? [
+          {
+            team: numberAt(robot, "team") === 1 ? 1 : 0,
+            player: numberAt(robot, "player") ?? 1,
+            pose,
+            stance: stanceOf(structureAt(robot, "stance")) ?? STANDING,
+          } as TrueRobot,
+        ]
+      : [];
   });
 }
 
@@ -84,9 +102,13 @@ function truePose(now: TrueRobot, then: TrueRobot | undefined, share: number): P
 }
 
 function stanceBetween(a: Stance, b: Stance | undefined, share: number): Stance {
-  return b ? { shoulderHeight: between(a.shoulderHeight, b.shoulderHeight, share),
-    bodyTilt: between(a.bodyTilt, b.bodyTilt, share),
-    bodyRoll: between(a.bodyRoll, b.bodyRoll, share) } : a;
+  return b
+    ? {
+        shoulderHeight: between(a.shoulderHeight, b.shoulderHeight, share),
+        bodyTilt: between(a.bodyTilt, b.bodyTilt, share),
+        bodyRoll: between(a.bodyRoll, b.bodyRoll, share),
+      }
+    : a;
 }
 
 function jointsOf(message: Message | undefined): number[] | undefined {
@@ -115,8 +137,7 @@ function jointsAt(robot: RobotStreams, time: number, reading: Reading): Joints {
   const game = structureAt(latest(pairs.map((p) => p.before))?.value, "game");
   const from = jointsOf(before);
   const to = jointsOf(after);
-  if (!before || !from || !after || !to)
-    return { angles: from ?? to, near: false, before, game };
+  if (!before || !from || !after || !to) return { angles: from ?? to, near: false, before, game };
   const share = shareOf(before, after, time);
   const angles = from.map((angle, i) => between(angle, to[i] ?? angle, share));
   return { angles, near: after.time - before.time < JOINT_GAP, before, game };
@@ -141,33 +162,53 @@ function poseOfOutput(output: Structure | undefined, map: MapFrame | undefined) 
   return pose && map ? map.pose(pose) : undefined;
 }
 
-function shownJoints(joints: Joints, output: Structure | undefined, stance: Stance,
-  time: number): number[] | undefined {
+function shownJoints(
+  joints: Joints,
+  output: Structure | undefined,
+  stance: Stance,
+  time: number,
+): number[] | undefined {
   if (!joints.angles || joints.near) return joints.angles;
   const axes = numbersAt(output, "body.camera.axes");
-  const looked = axes.some((a) => a !== 0) ? headTowards(joints.angles, stance, axes)
+  const looked = axes.some((a) => a !== 0)
+    ? headTowards(joints.angles, stance, axes)
     : joints.angles;
   if ((numberAt(output, "command.motion") ?? 0) !== 0) return looked;
-  const speed = Math.hypot(numberAt(output, "command.walk.forward") ?? 0,
-    numberAt(output, "command.walk.left") ?? 0);
+  const speed = Math.hypot(
+    numberAt(output, "command.walk.forward") ?? 0,
+    numberAt(output, "command.walk.left") ?? 0,
+  );
   return walking(looked, time, speed, numberAt(output, "command.walk.turn") ?? 0);
 }
 
-function robotAt(robot: RobotStreams, map: MapFrame | undefined, time: number,
-  reading: Reading): RobotMoment {
+function robotAt(
+  robot: RobotStreams,
+  map: MapFrame | undefined,
+  time: number,
+  reading: Reading,
+): RobotMoment {
   const { before, after } = reading.around(robot.output, time);
   const output = before?.value;
   const here = poseOfOutput(output, map);
   const there = poseOfOutput(after?.value, map);
   const near = here && there && Math.hypot(here.x - there.x, here.y - there.y) < 20;
-  const belief = here && near && before && after
-    ? poseBetween(here, there, shareOf(before, after, time)) : here;
+  const belief =
+    here && near && before && after ? poseBetween(here, there, shareOf(before, after, time)) : here;
   const joints = jointsAt(robot, time, reading);
   const stance = stanceOf(structureAt(joints.before?.value, "stance")) ?? STANDING;
   return {
-    key: robot.key, team: robot.team, player: robot.player, truth: undefined, belief, stance,
-    joints: shownJoints(joints, output, stance, time), output, outputTime: before?.time,
-    input: joints.before?.value, inputTime: joints.before?.time, game: joints.game,
+    key: robot.key,
+    team: robot.team,
+    player: robot.player,
+    truth: undefined,
+    belief,
+    stance,
+    joints: shownJoints(joints, output, stance, time),
+    output,
+    outputTime: before?.time,
+    input: joints.before?.value,
+    inputTime: joints.before?.time,
+    game: joints.game,
   };
 }
 
@@ -178,7 +219,7 @@ function withTruth(robots: RobotMoment[], truth: Around, share: number): RobotMo
     const key = robotKey(robot.team, robot.player);
     const next = then.find((r) => r.team === robot.team && r.player === robot.player);
     let shown = robots.find((r) => r.key === key);
-    if (!shown) robots.push(shown = unlogged(key, robot));
+    if (!shown) robots.push((shown = unlogged(key, robot)));
     shown.truth = truePose(robot, next, share);
     shown.stance = stanceBetween(robot.stance, next?.stance, share);
   }
@@ -186,9 +227,20 @@ function withTruth(robots: RobotMoment[], truth: Around, share: number): RobotMo
 }
 
 function unlogged(key: string, robot: TrueRobot): RobotMoment {
-  return { key, team: robot.team, player: robot.player, truth: undefined, belief: undefined,
-    stance: robot.stance, joints: undefined, output: undefined, outputTime: undefined,
-    input: undefined, inputTime: undefined, game: undefined };
+  return {
+    key,
+    team: robot.team,
+    player: robot.player,
+    truth: undefined,
+    belief: undefined,
+    stance: robot.stance,
+    joints: undefined,
+    output: undefined,
+    outputTime: undefined,
+    input: undefined,
+    inputTime: undefined,
+    game: undefined,
+  };
 }
 
 interface ShownBall {
@@ -220,7 +272,11 @@ function believedBall(robots: RobotMoment[], match: Match): ShownBall {
     const map = new MapFrame(match.field, robot.team);
     const velocity = pointAt(ball, "velocity");
     age = unseen;
-    best = { ball: map.point(place), velocity: velocity && map.direction(velocity), believed: true };
+    best = {
+      ball: map.point(place),
+      velocity: velocity && map.direction(velocity),
+      believed: true,
+    };
   }
   return best;
 }
@@ -237,8 +293,9 @@ function scoreOf(truth: Around, game: Structure | undefined, team: Team | undefi
 
 export function momentAt(match: Match, time: number): Moment {
   const reading = new Reading();
-  const robots = match.robots.map((robot) => robotAt(robot,
-    match.field && new MapFrame(match.field, robot.team), time, reading));
+  const robots = match.robots.map((robot) =>
+    robotAt(robot, match.field && new MapFrame(match.field, robot.team), time, reading),
+  );
   const truth = reading.around(match.truth, time);
   const share = truth.before && truth.after ? shareOf(truth.before, truth.after, time) : 0;
   withTruth(robots, truth, share);
@@ -246,8 +303,14 @@ export function momentAt(match: Match, time: number): Moment {
   const { ball, velocity, believed } = ballOf(truth, share) ?? believedBall(robots, match);
   const speaker = robots.find((r) => r.game);
   return {
-    time, complete: reading.complete, robots, ball, ballVelocity: velocity, believed,
-    score: scoreOf(truth, speaker?.game, speaker?.team), game: speaker?.game,
+    time,
+    complete: reading.complete,
+    robots,
+    ball,
+    ballVelocity: velocity,
+    believed,
+    score: scoreOf(truth, speaker?.game, speaker?.team),
+    game: speaker?.game,
   };
 }
 

@@ -9,6 +9,7 @@ export interface SessionLog {
 export interface Live {
   url: string;
   title: string;
+  playing?: boolean; // absent: yes
   controls: boolean;
   behaviours: boolean;
 }

@@ -82,8 +82,12 @@ export function legsOf(command: Structure | undefined): string {
   const forward = numberAt(command, "walk.forward") ?? 0;
   const left = numberAt(command, "walk.left") ?? 0;
   const turn = numberAt(command, "walk.turn") ?? 0;
-  if (Math.hypot(forward, left) > 2) return forward < -2 && Math.abs(left) < -forward ? "walk back"
-    : Math.abs(left) > Math.abs(forward) ? "walk aside" : "walk";
+  if (Math.hypot(forward, left) > 2)
+    return forward < -2 && Math.abs(left) < -forward
+      ? "walk back"
+      : Math.abs(left) > Math.abs(forward)
+        ? "walk aside"
+        : "walk";
   return Math.abs(turn) > 0.1 ? "turn" : "stand";
 }
 
@@ -106,23 +110,40 @@ function eventWords(event: Structure, reason: string): string {
   const player = numberAt(event, "player") ?? 0;
   const robot = `${team} ${player}`;
   switch (eventKind(event)) {
-    case "start": return "The match begins";
-    case "goal": return reason === "own goal" ? `Own goal for ${team}`
-      : `Goal of ${team}${player > 0 ? ` by player ${player}` : ""}`;
-    case "out": return `The ball is out${player > 0 ? `, touched last by ${robot}` : ""}`;
-    case "end": return "The match is over";
-    case "ready": return `Ready for the kick-off of ${team}`;
-    case "set": return "Set: all stand where they may";
-    case "play": return "Play";
-    case "half": return "The first half is over";
-    case "penalty": return `${robot} is taken off`;
-    case "back": return `${robot} comes back`;
-    case "stuck": return "The ball is put elsewhere";
-    case "placed": return `${robot} is put where it may stand`;
-    case "taken": return "Somebody takes the ball away";
-    case "returned": return "The ball is back";
-    case "carried": return `${robot} is carried elsewhere`;
-    default: return "An unknown event";
+    case "start":
+      return "The match begins";
+    case "goal":
+      return reason === "own goal"
+        ? `Own goal for ${team}`
+        : `Goal of ${team}${player > 0 ? ` by player ${player}` : ""}`;
+    case "out":
+      return `The ball is out${player > 0 ? `, touched last by ${robot}` : ""}`;
+    case "end":
+      return "The match is over";
+    case "ready":
+      return `Ready for the kick-off of ${team}`;
+    case "set":
+      return "Set: all stand where they may";
+    case "play":
+      return "Play";
+    case "half":
+      return "The first half is over";
+    case "penalty":
+      return `${robot} is taken off`;
+    case "back":
+      return `${robot} comes back`;
+    case "stuck":
+      return "The ball is put elsewhere";
+    case "placed":
+      return `${robot} is put where it may stand`;
+    case "taken":
+      return "Somebody takes the ball away";
+    case "returned":
+      return "The ball is back";
+    case "carried":
+      return `${robot} is carried elsewhere`;
+    default:
+      return "An unknown event";
   }
 }
 

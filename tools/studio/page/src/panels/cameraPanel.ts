@@ -38,9 +38,14 @@ export class CameraPanel {
   constructor() {
     this.canvas = make("canvas", { class: "camera", role: "img", "aria-label": "Camera image" });
     this.canvas.addEventListener("pointermove", (e) => this.hover(e));
-    this.element = make("section", { class: "panel", "aria-label": "Camera" },
+    this.element = make(
+      "section",
+      { class: "panel", "aria-label": "Camera" },
       make("div", { class: "head" }, make("h2", {}, "Camera"), this.caption),
-      this.canvas, this.said, this.choices());
+      this.canvas,
+      this.said,
+      this.choices(),
+    );
     new ResizeObserver(() => this.draw()).observe(this.canvas);
   }
 
@@ -51,10 +56,19 @@ export class CameraPanel {
       input.addEventListener("change", () => act(input.checked));
       return make("label", {}, input, label);
     };
-    return make("div", { class: "choices" },
-      box("Percepts", true, (on) => { this.overlays = on; this.draw(); }),
+    return make(
+      "div",
+      { class: "choices" },
+      box("Percepts", true, (on) => {
+        this.overlays = on;
+        this.draw();
+      }),
       box("Colour classes", false, (on) => this.choose(on ? "classes" : "image")),
-      box("Refused", false, (on) => { this.showRefused = on; this.again(); }));
+      box("Refused", false, (on) => {
+        this.showRefused = on;
+        this.again();
+      }),
+    );
   }
 
   private choose(plane: Plane): void {
@@ -73,11 +87,18 @@ export class CameraPanel {
     this.time = time;
     if (!robot) return this.nothing("There is no log of this robot.");
     const message = lastPicture(robot, time);
-    if (!message) return this.nothing(robot.inputs.length === 0
-      ? "This log holds no camera images." : "No image of this time is kept.");
+    if (!message)
+      return this.nothing(
+        robot.inputs.length === 0
+          ? "This log holds no camera images."
+          : "No image of this time is kept.",
+      );
     const age = (time - message.time) / 1e6;
-    text(this.caption, `${robot.key.replace("-", " ")}, frame ` +
-      `${numberAt(message.value, "frame") ?? "?"}${age > 0.05 ? `, ${age.toFixed(1)} s ago` : ""}`);
+    text(
+      this.caption,
+      `${robot.key.replace("-", " ")}, frame ` +
+        `${numberAt(message.value, "frame") ?? "?"}${age > 0.05 ? `, ${age.toFixed(1)} s ago` : ""}`,
+    );
     const key = `${robot.key} ${message.time} ${this.plane} ${this.showRefused}`;
     if (key === this.drawnKey) return;
     this.drawnKey = key;
@@ -103,7 +124,8 @@ export class CameraPanel {
     const same = found && numberAt(found.value, "frame") === numberAt(message.value, "frame");
     this.output = same ? found.value : undefined;
     const ownClasses = this.plane === "classes" && pictureKind(message.value) !== "classes";
-    const classes = ownClasses ? await fetchPicture(`/api/classes/${robot.log}`, message.time)
+    const classes = ownClasses
+      ? await fetchPicture(`/api/classes/${robot.log}`, message.time)
       : undefined;
     text(this.said, ownClasses && !classes ? "No colour classes of this image." : "");
     this.picture = classes ?? (await pictureOf(message.value));
@@ -137,19 +159,30 @@ export class CameraPanel {
     c.drawImage(this.picture, 0, 0, WIDTH, HEIGHT);
     this.boxes = this.overlays ? drawPercepts(c, this.output, scale) : [];
     for (const { kind, reason, box } of this.refused)
-      drawBox(c, { left: box[0], top: box[1], right: box[2], bottom: box[3],
-        label: `${kind}: ${words(reason)}`, colour: "#c9a0ff" }, scale);
+      drawBox(
+        c,
+        {
+          left: box[0],
+          top: box[1],
+          right: box[2],
+          bottom: box[3],
+          label: `${kind}: ${words(reason)}`,
+          colour: "#c9a0ff",
+        },
+        scale,
+      );
   }
 
   private hover(e: PointerEvent): void {
     const area = this.canvas.getBoundingClientRect();
     const x = ((e.clientX - area.left) / area.width) * WIDTH;
     const y = ((e.clientY - area.top) / area.height) * HEIGHT;
-    const inside = (l: number, t: number, r: number, b: number) => x >= l && x <= r && y >= t &&
-      y <= b;
+    const inside = (l: number, t: number, r: number, b: number) =>
+      x >= l && x <= r && y >= t && y <= b;
     const refused = this.refused.find(({ box }) => inside(...box));
     const box = this.boxes.find((b) => inside(b.left, b.top, b.right, b.bottom));
-    this.canvas.title = refused ? `Refused as ${refused.kind}: ${words(refused.reason)}`
+    this.canvas.title = refused
+      ? `Refused as ${refused.kind}: ${words(refused.reason)}`
       : (box?.label ?? "");
   }
 }
@@ -158,8 +191,13 @@ function lastPicture(robot: RobotStreams, time: number): Message | undefined {
   let best: Message | undefined;
   for (const stream of robot.inputs) {
     const message = stream.around(time)?.before;
-    if (message && time - message.time < OLDEST && pictureKind(message.value) &&
-      (!best || message.time > best.time)) best = message;
+    if (
+      message &&
+      time - message.time < OLDEST &&
+      pictureKind(message.value) &&
+      (!best || message.time > best.time)
+    )
+      best = message;
   }
   return best;
 }

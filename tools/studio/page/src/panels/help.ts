@@ -21,14 +21,26 @@ export class Help {
   readonly element: HTMLDialogElement;
 
   constructor() {
-    this.element = make("dialog", { "aria-label": "Keys" },
+    this.element = make(
+      "dialog",
+      { "aria-label": "Keys" },
       make("h2", {}, "Keys"),
-      make("dl", {}, ...KEYS.flatMap(([key, what]) => [
-        make("dt", {}, ...key.split(" ").flatMap((k) => [make("kbd", {}, k), " "])),
-        make("dd", {}, what)])),
-      make("p", {}, "Drag on the field to turn the view, with the right button to move it, wheel to " +
-        "come nearer. On the time line the wheel zooms, with Shift it moves."),
-      button("Close", "Close", () => this.element.close(), "main"));
+      make(
+        "dl",
+        {},
+        ...KEYS.flatMap(([key, what]) => [
+          make("dt", {}, ...key.split(" ").flatMap((k) => [make("kbd", {}, k), " "])),
+          make("dd", {}, what),
+        ]),
+      ),
+      make(
+        "p",
+        {},
+        "Drag on the field to turn the view, with the right button to move it, wheel to " +
+          "come nearer. On the time line the wheel zooms, with Shift it moves.",
+      ),
+      button("Close", "Close", () => this.element.close(), "main"),
+    );
   }
 
   toggle(): void {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A lane for each robot with what it decided: role, player, skill, motion. The chosen robot's lane
 // is taller and written on. Pointing at a decision tells its reason, a click goes there.
-import { fitCanvas, inks, make } from "../app/dom";
+import { atNextPicture, fitCanvas, inks, make } from "../app/dom";
 import type { Cursor } from "../app/cursor";
 import type { TimeAxis } from "../app/timeAxis";
 import type { FactStore } from "../model/factStore";
 import { ROWS, type Row, type Segment } from "../model/facts";
 import { TEAM_NAMES, type Team } from "../model/field";
 import { clockOf } from "../model/words";
-import { GUTTER, zoomByWheel } from "./timeLine";
+import { GUTTER, placeNeedle, zoomByWheel } from "./timeLine";
 
 const LOW = 4; // px a row
 const HIGH = 16;
@@ -27,20 +27,36 @@ export class Lanes {
   chosen: Segment | undefined; // what is pointed at
   private readonly canvas: HTMLCanvasElement;
   private readonly tip: HTMLElement;
-  private wanted = false;
+  private readonly needle = make("div", { class: "needle" });
+  private readonly drawing = atNextPicture(() => this.draw());
+  readonly redraw = this.drawing.now;
+  readonly redrawSoon = this.drawing.soon;
   private robots: LaneRobot[] = [];
 
-  constructor(private readonly cursor: Cursor, private readonly axis: TimeAxis,
-    private readonly facts: FactStore, private readonly pick: (key: string) => void) {
+  constructor(
+    private readonly cursor: Cursor,
+    private readonly axis: TimeAxis,
+    private readonly facts: FactStore,
+    private readonly pick: (key: string) => void,
+  ) {
     this.canvas = make("canvas", { class: "line" });
     this.tip = make("div", { class: "tip reason", hidden: true, role: "tooltip", id: "reason" });
-    this.element = make("div", { class: "lanes", tabindex: "0", role: "group",
-      "aria-label": "Decisions of the robots; arrow keys up and down choose a robot, " +
-        "Page Up and Page Down go to the decision before and after",
-      "aria-describedby": "reason" }, this.canvas);
+    this.element = make(
+      "div",
+      {
+        class: "lanes",
+        tabindex: "0",
+        role: "group",
+        "aria-label":
+          "Decisions of the robots; arrow keys up and down choose a robot, " +
+          "Page Up and Page Down go to the decision before and after",
+        "aria-describedby": "reason",
+      },
+      make("div", { class: "lane-area" }, this.canvas, this.needle),
+    );
     document.body.append(this.tip);
     this.listen();
-    cursor.onChange(() => this.redraw());
+    cursor.onChange((time) => placeNeedle(this.needle, this.axis, time, this.width));
     axis.onChange(() => this.redraw());
     new ResizeObserver(() => this.redraw()).observe(this.element);
   }
@@ -55,10 +71,14 @@ export class Lanes {
     this.element.addEventListener("pointerleave", () => this.hideTip());
     this.element.addEventListener("click", (e) => this.click(e));
     this.element.addEventListener("keydown", (e) => this.key(e));
-    this.element.addEventListener("wheel", (e) => {
-      if (e.ctrlKey || e.altKey || this.element.scrollHeight <= this.element.clientHeight + 1)
-        zoomByWheel(e, this.axis, this.width, this.left);
-    }, { passive: false });
+    this.element.addEventListener(
+      "wheel",
+      (e) => {
+        if (e.ctrlKey || e.altKey || this.element.scrollHeight <= this.element.clientHeight + 1)
+          zoomByWheel(e, this.axis, this.width, this.left);
+      },
+      { passive: false },
+    );
   }
 
   private get left(): number {
@@ -102,7 +122,8 @@ export class Lanes {
 
   private tell(robot: LaneRobot, name: Row, segment: Segment, x: number, y: number): void {
     this.chosen = segment;
-    const who = `${TEAM_NAMES[robot.team]} ${robot.player}, ${name}, ` +
+    const who =
+      `${TEAM_NAMES[robot.team]} ${robot.player}, ${name}, ` +
       `${clockOf(segment.from / 1e6, true)} for ${((segment.to - segment.from) / 1e6).toFixed(1)} s`;
     this.tip.replaceChildren(make("small", {}, who), make("p", {}, segment.why));
     this.tip.hidden = false;
@@ -139,23 +160,20 @@ export class Lanes {
     if (!robot) return;
     const list = this.facts.rowsOf(robot.key).skill;
     const time = this.cursor.time;
-    const next = forward ? list.find((s) => s.from > time + 1)
+    const next = forward
+      ? list.find((s) => s.from > time + 1)
       : [...list].reverse().find((s) => s.from < time - 1);
     if (!next) return;
     this.cursor.seek(next.from);
     const place = [...this.places()].find((p) => p.robot === robot)!;
     const box = this.canvas.getBoundingClientRect();
-    this.tell(robot, "skill", next, this.left + this.axis.x(next.from, this.width),
-      box.top + place.top);
-  }
-
-  redraw(): void {
-    if (this.wanted) return;
-    this.wanted = true;
-    requestAnimationFrame(() => {
-      this.wanted = false;
-      this.draw();
-    });
+    this.tell(
+      robot,
+      "skill",
+      next,
+      this.left + this.axis.x(next.from, this.width),
+      box.top + place.top,
+    );
   }
 
   private draw(): void {
@@ -167,12 +185,16 @@ export class Lanes {
     const ink = inks(INKS);
     c.clearRect(0, 0, this.element.clientWidth, height);
     for (const { robot, top, row } of places) this.drawLane(c, robot, top, row, ink);
-    c.fillStyle = ink["accent"]!;
-    c.fillRect(GUTTER + this.axis.x(this.cursor.time, this.width) - 0.75, 0, 1.5, height);
+    placeNeedle(this.needle, this.axis, this.cursor.time, this.width);
   }
 
-  private drawLane(c: CanvasRenderingContext2D, robot: LaneRobot, top: number, row: number,
-    ink: Record<string, string>): void {
+  private drawLane(
+    c: CanvasRenderingContext2D,
+    robot: LaneRobot,
+    top: number,
+    row: number,
+    ink: Record<string, string>,
+  ): void {
     const name = `${TEAM_NAMES[robot.team]} ${robot.player}`;
     c.fillStyle = ink["lane"]!;
     c.fillRect(GUTTER, top, this.width, ROWS.length * row);
@@ -180,7 +202,7 @@ export class Lanes {
     c.fillRect(2, top, 3, ROWS.length * row);
     c.font = `${robot.key === this.selected ? "600 " : ""}12px system-ui, sans-serif`;
     c.fillStyle = ink["ink"]!;
-    c.fillText(name, 10, top + (row === HIGH ? 13 : ROWS.length * LOW / 2 + 4));
+    c.fillText(name, 10, top + (row === HIGH ? 13 : (ROWS.length * LOW) / 2 + 4));
     const rows = this.facts.rowsOf(robot.key);
     c.save();
     c.beginPath();
@@ -194,8 +216,13 @@ export class Lanes {
     ROWS.slice(1).forEach((kind, i) => c.fillText(kind, 10, top + (i + 1) * row + 12));
   }
 
-  private drawRow(c: CanvasRenderingContext2D, list: readonly Segment[], top: number, row: number,
-    ink: Record<string, string>): void {
+  private drawRow(
+    c: CanvasRenderingContext2D,
+    list: readonly Segment[],
+    top: number,
+    row: number,
+    ink: Record<string, string>,
+  ): void {
     c.font = "11px system-ui, sans-serif";
     for (let i = Math.max(0, firstEnding(list, this.axis.from)); i < list.length; ++i) {
       const segment = list[i]!;
@@ -204,13 +231,20 @@ export class Lanes {
       const wide = Math.max(0.6, this.axis.x(segment.to, this.width) + GUTTER - x);
       c.fillStyle = colourOf(segment.label);
       c.fillRect(x, top + 0.5, wide - (wide > 3 ? 0.7 : 0), row - 1);
-      if (row === HIGH && wide > 26) write(c, segment.label, Math.max(x, GUTTER), top, x + wide, ink);
+      if (row === HIGH && wide > 26)
+        write(c, segment.label, Math.max(x, GUTTER), top, x + wide, ink);
     }
   }
 }
 
-function write(c: CanvasRenderingContext2D, label: string, x: number, top: number, end: number,
-  ink: Record<string, string>): void {
+function write(
+  c: CanvasRenderingContext2D,
+  label: string,
+  x: number,
+  top: number,
+  end: number,
+  ink: Record<string, string>,
+): void {
   const room = Math.floor((end - x - 6) / 5.6);
   if (room < 3) return;
   c.fillStyle = ink["ink"]!;
@@ -226,7 +260,7 @@ export function colourOf(label: string): string {
   else {
     let hash = 2166136261;
     for (const letter of label) hash = Math.imul(hash ^ letter.charCodeAt(0), 16777619) >>> 0;
-    colour = `hsl(${hash % 360} ${48 + (hash >> 9) % 25}% 55% / 0.62)`;
+    colour = `hsl(${hash % 360} ${48 + ((hash >> 9) % 25)}% 55% / 0.62)`;
   }
   hues.set(label, colour);
   return colour;

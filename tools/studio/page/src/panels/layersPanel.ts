@@ -4,26 +4,46 @@ import { make } from "../app/dom";
 import { LAYERS, type Layer } from "../drawing/beliefs";
 import { VIEWS, type ViewName } from "../drawing/views";
 
-const VIEW_WORDS: Record<ViewName, string> = { broadcast: "Broadcast", orbit: "Free",
-  follow: "Follow", eye: "Robot’s eye", above: "Above" };
+const VIEW_WORDS: Record<ViewName, string> = {
+  broadcast: "Broadcast",
+  orbit: "Free",
+  follow: "Follow",
+  eye: "Robot’s eye",
+  above: "Above",
+};
 
 export class FieldControls {
   readonly element: HTMLElement;
   private readonly views = new Map<ViewName, HTMLButtonElement>();
   private readonly boxes = new Map<Layer, HTMLInputElement>();
 
-  constructor(onView: (view: ViewName) => void,
-    private readonly onLayer: (layer: Layer, on: boolean) => void) {
-    const views = make("div", { class: "segments", role: "group", "aria-label": "View (key v)" },
+  constructor(
+    onView: (view: ViewName) => void,
+    private readonly onLayer: (layer: Layer, on: boolean) => void,
+  ) {
+    const views = make(
+      "div",
+      { class: "segments", role: "group", "aria-label": "View (key v)" },
       ...VIEWS.map((view) => {
-        const choice = make("button", { type: "button", "aria-pressed": "false",
-          click: () => onView(view) }, VIEW_WORDS[view]);
+        const choice = make(
+          "button",
+          { type: "button", "aria-pressed": "false", click: () => onView(view) },
+          VIEW_WORDS[view],
+        );
         this.views.set(view, choice);
         return choice;
-      }));
-    const layers = make("details", { class: "layers" }, make("summary", {}, "Layers"),
-      make("fieldset", { "aria-label": "Layers" },
-        ...(Object.keys(LAYERS) as Layer[]).map((layer) => this.box(layer))));
+      }),
+    );
+    const layers = make(
+      "details",
+      { class: "layers" },
+      make("summary", {}, "Layers"),
+      make(
+        "fieldset",
+        { "aria-label": "Layers" },
+        ...(Object.keys(LAYERS) as Layer[]).map((layer) => this.box(layer)),
+      ),
+    );
     this.element = make("div", { class: "field-controls" }, views, layers);
   }
 

@@ -11,10 +11,13 @@ export class Notes {
   say(sentence: string, kind: "note" | "error" = "note"): void {
     if (this.all.includes(sentence)) return;
     this.all.push(sentence);
-    const line = make("div", { class: `note ${kind}` },
+    const line = make(
+      "div",
+      { class: `note ${kind}` },
       make("span", { "aria-hidden": "true" }, kind === "error" ? "⚠" : "ℹ"),
       make("p", {}, sentence),
-      button("×", `Dismiss: ${sentence}`, () => line.remove(), "quiet"));
+      button("×", `Dismiss: ${sentence}`, () => line.remove(), "quiet"),
+    );
     this.lines.set(sentence, line);
     this.element.append(line);
     while (this.element.children.length > 4) this.element.firstElementChild!.remove();

@@ -27,16 +27,30 @@ export class RobotList {
   private buttonOf(robot: RobotMoment, index: number): void {
     if (this.buttons.has(robot.key)) return;
     const name = `${TEAM_NAMES[robot.team]} ${robot.player}`;
-    const button = make("button", { type: "button", role: "radio", class: TEAM_NAMES[robot.team],
-      "aria-label": name, title: `${name} (key ${index + 1})`, click: () => this.pick(robot.key) },
-      make("small", {}, TEAM_NAMES[robot.team][0]!.toUpperCase()), String(robot.player));
+    const button = make(
+      "button",
+      {
+        type: "button",
+        role: "radio",
+        class: TEAM_NAMES[robot.team],
+        "aria-label": name,
+        title: `${name} (key ${index + 1})`,
+        click: () => this.pick(robot.key),
+      },
+      make("small", {}, TEAM_NAMES[robot.team][0]!.toUpperCase()),
+      String(robot.player),
+    );
     this.buttons.set(robot.key, button);
     this.element.append(button);
   }
 
   private move(e: KeyboardEvent): void {
-    const way = e.key === "ArrowRight" || e.key === "ArrowDown" ? 1
-      : e.key === "ArrowLeft" || e.key === "ArrowUp" ? -1 : 0;
+    const way =
+      e.key === "ArrowRight" || e.key === "ArrowDown"
+        ? 1
+        : e.key === "ArrowLeft" || e.key === "ArrowUp"
+          ? -1
+          : 0;
     if (way === 0) return;
     const keys = [...this.buttons.keys()];
     const now = keys.findIndex((k) => this.buttons.get(k) === document.activeElement);
@@ -55,8 +69,13 @@ export class ReasonPanel {
   private shown = "";
 
   constructor() {
-    this.element = make("section", { class: "panel", "aria-label": "Decisions of this robot" },
-      make("div", { class: "head" }, make("h2", {}, "Why")), this.list, this.numbers);
+    this.element = make(
+      "section",
+      { class: "panel", "aria-label": "Decisions of this robot" },
+      make("div", { class: "head" }, make("h2", {}, "Why")),
+      this.list,
+      this.numbers,
+    );
   }
 
   show(robot: RobotMoment | undefined): void {
@@ -71,12 +90,21 @@ export class ReasonPanel {
     const key = instead + JSON.stringify(steps) + (robot?.key ?? "");
     if (key === this.shown) return;
     this.shown = key;
-    const said = instead || (robot?.output ? "No reason is given." : "There is no log of this robot.");
-    this.list.replaceChildren(...(steps.length > 0 && instead === "" ? steps.map((step) =>
-      make("li", { title: sentenceOf(step) },
-        make("span", { class: "who" }, `${step.module || step.layer}`),
-        make("b", {}, step.branch || "?"), make("span", { class: "why" }, step.reason)))
-      : [make("li", {}, said)]));
+    const said =
+      instead || (robot?.output ? "No reason is given." : "There is no log of this robot.");
+    this.list.replaceChildren(
+      ...(steps.length > 0 && instead === ""
+        ? steps.map((step) =>
+            make(
+              "li",
+              { title: sentenceOf(step) },
+              make("span", { class: "who" }, `${step.module || step.layer}`),
+              make("b", {}, step.branch || "?"),
+              make("span", { class: "why" }, step.reason),
+            ),
+          )
+        : [make("li", {}, said)]),
+    );
   }
 
   private showNumbers(robot: RobotMoment | undefined): void {
@@ -93,12 +121,16 @@ export class ReasonPanel {
 function numbersOf(robot: RobotMoment): [string, string][] {
   const output = robot.output;
   const number = (path: string) => numberAt(output, path);
-  const ball = number("world.ball.present") === 1
-    ? `${shortNumber(number("world.ball.distance") ?? 0)} cm, seen ` +
-      `${shortNumber(number("world.ball.secondsSinceSeen") ?? 0)} s ago` : "none";
-  const away = robot.truth && robot.belief
-    ? `, ${shortNumber(Math.hypot(robot.truth.x - robot.belief.x, robot.truth.y - robot.belief.y))}` +
-      " cm off" : "";
+  const ball =
+    number("world.ball.present") === 1
+      ? `${shortNumber(number("world.ball.distance") ?? 0)} cm, seen ` +
+        `${shortNumber(number("world.ball.secondsSinceSeen") ?? 0)} s ago`
+      : "none";
+  const away =
+    robot.truth && robot.belief
+      ? `, ${shortNumber(Math.hypot(robot.truth.x - robot.belief.x, robot.truth.y - robot.belief.y))}` +
+        " cm off"
+      : "";
   const time = number("command.team.timeToBall") ?? 1000;
   return [
     ["Role", roleName(number("command.team.role"))],

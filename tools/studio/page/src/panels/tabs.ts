@@ -6,8 +6,10 @@ export class Tabs {
   readonly element = make("div", { class: "tabs", role: "tablist", "aria-label": "Lower panel" });
   readonly panels = make("div", { class: "tab-panels" });
   chosen = "";
-  private readonly all = new Map<string, { tab: HTMLButtonElement; panel: HTMLElement;
-    onTheme: () => void }>();
+  private readonly all = new Map<
+    string,
+    { tab: HTMLButtonElement; panel: HTMLElement; onTheme: () => void }
+  >();
 
   constructor(private readonly changed: () => void) {
     this.element.addEventListener("keydown", (e) => this.move(e));
@@ -15,8 +17,11 @@ export class Tabs {
 
   add(name: string, content: HTMLElement, onTheme: () => void = () => undefined): void {
     const id = `panel-${name.toLowerCase()}`;
-    const tab = make("button", { type: "button", role: "tab", "aria-controls": id,
-      click: () => this.choose(name) }, name);
+    const tab = make(
+      "button",
+      { type: "button", role: "tab", "aria-controls": id, click: () => this.choose(name) },
+      name,
+    );
     const panel = make("div", { id, role: "tabpanel", "aria-label": name, hidden: true }, content);
     this.all.set(name, { tab, panel, onTheme });
     this.element.append(tab);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The time line: marks of what happened, who has the ball, and the cursor. By keyboard it is a
 // slider; marks differ by shape as well as by colour.
-import { fitCanvas, inks, make } from "../app/dom";
+import { atNextPicture, fitCanvas, inks, make } from "../app/dom";
 import type { Cursor } from "../app/cursor";
 import { FRAME_US } from "../app/cursor";
 import type { TimeAxis } from "../app/timeAxis";
@@ -12,23 +12,47 @@ import { clockOf } from "../model/words";
 export const GUTTER = 92; // px, of names left of lanes and time line
 const HEIGHT = 46;
 const INKS = ["ink", "dim", "line", "red", "blue", "accent", "panel", "goal", "warn"] as const;
-const LEVEL: Record<MarkKind, number> = { goal: 10, error: 10, fall: 10, carry: 10, referee: 10,
-  kick: 21, grab: 21 };
+const LEVEL: Record<MarkKind, number> = {
+  goal: 10,
+  error: 10,
+  fall: 10,
+  carry: 10,
+  referee: 10,
+  kick: 21,
+  grab: 21,
+};
 
 export class TimeLine {
   readonly element: HTMLElement;
   differences: readonly number[] = [];
   private readonly canvas: HTMLCanvasElement;
   private readonly tip: HTMLElement;
+  private readonly needle = make("div", { class: "needle" });
+  private readonly drawing = atNextPicture(() => this.draw());
+  readonly redraw = this.drawing.now;
+  readonly redrawSoon = this.drawing.soon;
   private dragging = false;
-  private wanted = false;
 
-  constructor(private readonly cursor: Cursor, private readonly axis: TimeAxis,
-    private readonly facts: FactStore) {
+  constructor(
+    private readonly cursor: Cursor,
+    private readonly axis: TimeAxis,
+    private readonly facts: FactStore,
+  ) {
     this.canvas = make("canvas", { class: "line" });
     this.tip = make("div", { class: "tip", hidden: true });
-    this.element = make("div", { class: "timeline", tabindex: "0", role: "slider",
-      "aria-label": "Time of the match", "aria-valuemin": "0" }, this.canvas, this.tip);
+    this.element = make(
+      "div",
+      {
+        class: "timeline",
+        tabindex: "0",
+        role: "slider",
+        "aria-label": "Time of the match",
+        "aria-valuemin": "0",
+      },
+      this.canvas,
+      this.needle,
+      this.tip,
+    );
     this.listen();
     cursor.onChange(() => this.changed());
     axis.onChange(() => this.redraw());
@@ -41,12 +65,16 @@ export class TimeLine {
       this.element.setPointerCapture(e.pointerId);
       this.seekTo(e);
     });
-    this.element.addEventListener("pointermove", (e) => this.dragging ? this.seekTo(e)
-      : this.hover(e));
+    this.element.addEventListener("pointermove", (e) =>
+      this.dragging ? this.seekTo(e) : this.hover(e),
+    );
     this.element.addEventListener("pointerup", () => (this.dragging = false));
     this.element.addEventListener("pointerleave", () => (this.tip.hidden = true));
-    this.element.addEventListener("wheel", (e) => zoomByWheel(e, this.axis, this.width,
-      this.left), { passive: false });
+    this.element.addEventListener(
+      "wheel",
+      (e) => zoomByWheel(e, this.axis, this.width, this.left),
+      { passive: false },
+    );
   }
 
   private get left(): number {
@@ -65,32 +93,29 @@ export class TimeLine {
     const mark = nearest(this.facts.marks, (m) => Math.abs(this.axis.x(m.time, this.width) - x), 6);
     const time = this.axis.time(x, this.width);
     this.tip.hidden = x < 0;
-    this.tip.textContent = mark ? `${clockOf(mark.time / 1e6, true)}  ${mark.text}`
+    this.tip.textContent = mark
+      ? `${clockOf(mark.time / 1e6, true)}  ${mark.text}`
       : clockOf(time / 1e6, true);
-    this.tip.style.left = `${Math.min(Math.max(GUTTER, e.clientX -
-      this.element.getBoundingClientRect().left), this.element.clientWidth - 190)}px`;
+    this.tip.style.left = `${Math.min(
+      Math.max(GUTTER, e.clientX - this.element.getBoundingClientRect().left),
+      this.element.clientWidth - 190,
+    )}px`;
   }
 
   private changed(): void {
     const { time, from, to } = this.cursor;
     this.element.setAttribute("aria-valuemax", ((to - from) / 1e6).toFixed(2));
     this.element.setAttribute("aria-valuenow", ((time - from) / 1e6).toFixed(2));
-    this.element.setAttribute("aria-valuetext",
-      `${clockOf(time / 1e6, true)} of ${clockOf(to / 1e6)}`);
+    this.element.setAttribute(
+      "aria-valuetext",
+      `${clockOf(time / 1e6, true)} of ${clockOf(to / 1e6)}`,
+    );
     this.axis.keep(time);
-    this.redraw();
-  }
-
-  redraw(): void {
-    if (this.wanted) return;
-    this.wanted = true;
-    requestAnimationFrame(() => {
-      this.wanted = false;
-      this.draw();
-    });
+    placeNeedle(this.needle, this.axis, time, this.width);
   }
 
   private draw(): void {
+    placeNeedle(this.needle, this.axis, this.cursor.time, this.width);
     const c = fitCanvas(this.canvas, this.element.clientWidth, HEIGHT);
     const ink = inks(INKS);
     c.clearRect(0, 0, this.element.clientWidth, HEIGHT);
@@ -101,9 +126,6 @@ export class TimeLine {
     c.fillStyle = ink["warn"]!;
     for (const time of this.differences) c.fillRect(this.axis.x(time, this.width), 0, 1, 6);
     for (const mark of this.facts.marks) this.drawMark(c, mark, ink);
-    const x = this.axis.x(this.cursor.time, this.width);
-    c.fillStyle = ink["accent"]!;
-    c.fillRect(x - 0.75, 0, 1.5, HEIGHT);
     c.restore();
     c.font = "11px system-ui, sans-serif";
     c.fillStyle = ink["dim"]!;
@@ -124,10 +146,26 @@ export class TimeLine {
   private drawMark(c: CanvasRenderingContext2D, mark: Mark, ink: Record<string, string>): void {
     const x = this.axis.x(mark.time, this.width);
     if (x < -6 || x > this.width + 6) return;
-    c.fillStyle = c.strokeStyle = mark.kind === "error" ? ink["warn"]!
-      : mark.team >= 0 ? ink[mark.team === 0 ? "red" : "blue"]! : ink["dim"]!;
+    c.fillStyle = c.strokeStyle =
+      mark.kind === "error"
+        ? ink["warn"]!
+        : mark.team >= 0
+          ? ink[mark.team === 0 ? "red" : "blue"]!
+          : ink["dim"]!;
     drawSign(c, mark.kind, x, LEVEL[mark.kind]);
   }
+}
+
+// The cursor is an element of its own, so that no canvas is drawn anew while time runs.
+export function placeNeedle(
+  needle: HTMLElement,
+  axis: TimeAxis,
+  time: number,
+  width: number,
+): void {
+  const x = axis.x(time, width);
+  needle.hidden = x < 0 || x > width;
+  needle.style.transform = `translateX(${(GUTTER + x).toFixed(1)}px)`;
 }
 
 function drawSign(c: CanvasRenderingContext2D, kind: MarkKind, x: number, y: number): void {
@@ -157,8 +195,13 @@ function drawSign(c: CanvasRenderingContext2D, kind: MarkKind, x: number, y: num
   }
 }
 
-export function drawTicks(c: CanvasRenderingContext2D, axis: TimeAxis, width: number,
-  height: number, ink: Record<string, string>): void {
+export function drawTicks(
+  c: CanvasRenderingContext2D,
+  axis: TimeAxis,
+  width: number,
+  height: number,
+  ink: Record<string, string>,
+): void {
   const span = (axis.to - axis.from) / 1e6;
   const step = [0.1, 0.5, 1, 2, 5, 10, 30, 60, 120].find((s) => (s / span) * width > 56) ?? 300;
   c.font = "10px system-ui, sans-serif";
@@ -183,7 +226,7 @@ function nearest<T>(items: readonly T[], away: (item: T) => number, most: number
   let least = most;
   for (const item of items) {
     const distance = away(item);
-    if (distance < least) best = item, least = distance;
+    if (distance < least) (best = item), (least = distance);
   }
   return best;
 }
@@ -192,8 +235,9 @@ function nearest<T>(items: readonly T[], away: (item: T) => number, most: number
 export function stepTime(time: number, forward: boolean, marks: readonly Mark[]): number {
   const second = time + (forward ? 1e6 : -1e6);
   const margin = FRAME_US / 2;
-  const found = marks.filter((m) => forward ? m.time > time + margin && m.time < second
-    : m.time < time - margin && m.time > second);
+  const found = marks.filter((m) =>
+    forward ? m.time > time + margin && m.time < second : m.time < time - margin && m.time > second,
+  );
   const mark = forward ? found[0] : found[found.length - 1];
   return mark ? mark.time : second;
 }

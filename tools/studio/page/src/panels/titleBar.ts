@@ -14,16 +14,30 @@ export class TitleBar {
   private readonly which = make("span", { class: "which" });
 
   constructor(element: HTMLElement, onHelp: () => void, onTheme: () => string) {
-    const theme = button(icon("theme"), "Light or dark", () => {
-      theme.title = `Theme: ${onTheme()}`;
-    }, "quiet");
+    const theme = button(
+      icon("theme"),
+      "Light or dark",
+      () => {
+        theme.title = `Theme: ${onTheme()}`;
+      },
+      "quiet",
+    );
     element.append(
       make("h1", {}, "Kelpie ", make("span", {}, "studio")),
-      make("div", { class: "teams", role: "group", "aria-label": "Score" },
-        make("span", { class: "team red" }, "Red ▲"), this.red, make("i", {}, ":"), this.blue,
-        make("span", { class: "team blue" }, "▼ Blue")),
-      make("div", { class: "when" }, this.clock, this.state), this.which,
-      theme, button("?", "Keys and help", onHelp, "quiet"));
+      make(
+        "div",
+        { class: "teams", role: "group", "aria-label": "Score" },
+        make("span", { class: "team red" }, "Red ▲"),
+        this.red,
+        make("i", {}, ":"),
+        this.blue,
+        make("span", { class: "team blue" }, "▼ Blue"),
+      ),
+      make("div", { class: "when" }, this.clock, this.state),
+      this.which,
+      theme,
+      button("?", "Keys and help", onHelp, "quiet"),
+    );
     element.querySelector(".team.red")!.setAttribute("title", "Red attacks the blue goal");
     element.querySelector(".team.blue")!.setAttribute("title", "Blue attacks the yellow goal");
   }
@@ -41,8 +55,12 @@ export class TitleBar {
     if (!game) return text(this.state, "");
     const half = flagAt(game, "firstHalf") ? "first half" : "second half";
     const left = clockOf(numberAt(game, "secondsLeft") ?? 0);
-    const kickOff = flagAt(game, "kickOff") ? `, kick-off of ${numberAt(game, "team") === 1
-      ? "blue" : "red"}` : "";
-    text(this.state, `${half}, ${stateName({ ...game, penalised: false })}${kickOff}, ${left} left`);
+    const kickOff = flagAt(game, "kickOff")
+      ? `, kick-off of ${numberAt(game, "team") === 1 ? "blue" : "red"}`
+      : "";
+    text(
+      this.state,
+      `${half}, ${stateName({ ...game, penalised: false })}${kickOff}, ${left} left`,
+    );
   }
 }

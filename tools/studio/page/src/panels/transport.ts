@@ -16,24 +16,40 @@ export class Transport {
   private shownPlaying = false;
   private readonly progress = make("span", { class: "progress" });
 
-  constructor(private readonly cursor: Cursor, axis: TimeAxis, step: (forward: boolean) => void) {
+  constructor(
+    private readonly cursor: Cursor,
+    axis: TimeAxis,
+    step: (forward: boolean) => void,
+  ) {
     this.playing = button(icon("play"), "Play (space)", () => cursor.play(), "main");
-    const speed = make("select", { "aria-label": "Speed", title: "Speed" },
-      ...SPEEDS.map((s) => make("option", { value: String(s), selected: s === 1 }, `${s}×`)));
+    const speed = make(
+      "select",
+      { "aria-label": "Speed", title: "Speed" },
+      ...SPEEDS.map((s) => make("option", { value: String(s), selected: s === 1 }, `${s}×`)),
+    );
     speed.addEventListener("change", () => (cursor.speed = Number(speed.value)));
-    this.element = make("div", { class: "transport", role: "toolbar", "aria-label": "Time" },
+    this.element = make(
+      "div",
+      { class: "transport", role: "toolbar", "aria-label": "Time" },
       button(icon("first"), "To the beginning (Home)", () => cursor.seek(cursor.from)),
       button(icon("back"), "A second or event back ([)", () => step(false)),
-      button(icon("frameBack"), "A frame back (left arrow)", () => cursor.seek(cursor.time - FRAME_US)),
+      button(icon("frameBack"), "A frame back (left arrow)", () =>
+        cursor.seek(cursor.time - FRAME_US),
+      ),
       this.playing,
-      button(icon("frameOn"), "A frame on (right arrow)", () => cursor.seek(cursor.time + FRAME_US)),
+      button(icon("frameOn"), "A frame on (right arrow)", () =>
+        cursor.seek(cursor.time + FRAME_US),
+      ),
       button(icon("on"), "A second or event on (])", () => step(true)),
       button(icon("last"), "To the end (End)", () => cursor.seek(cursor.to)),
-      speed, this.time,
+      speed,
+      this.time,
       button("−", "Show more of the match (-)", () => axis.zoom(1.6, cursor.time)),
       button("+", "Show less of the match (+)", () => axis.zoom(1 / 1.6, cursor.time)),
       button("all", "Show the whole match (0)", () => axis.showAll()),
-      this.progress, this.end);
+      this.progress,
+      this.end,
+    );
     cursor.onChange(() => this.show());
   }
 

@@ -29,8 +29,12 @@ export function textAt(from: Structure | undefined, path: string): string {
 
 export function structureAt(from: Structure | undefined, path: string): Structure | undefined {
   const value = valueAt(from, path);
-  return value !== undefined && typeof value === "object" && !Array.isArray(value) &&
-    !ArrayBuffer.isView(value) ? (value as Structure) : undefined;
+  return value !== undefined &&
+    typeof value === "object" &&
+    !Array.isArray(value) &&
+    !ArrayBuffer.isView(value)
+    ? (value as Structure)
+    : undefined;
 }
 
 export function listAt(from: Structure | undefined, path: string): Structure[] {

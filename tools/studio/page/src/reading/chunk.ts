@@ -43,8 +43,13 @@ export function parseChunk(chunk: Uint8Array): Chunk {
   return { bytes: records.length, messages };
 }
 
-function addMessage(messages: Map<number, RawMessage[]>, view: DataView, records: Uint8Array,
-  at: number, end: number): void {
+function addMessage(
+  messages: Map<number, RawMessage[]>,
+  view: DataView,
+  records: Uint8Array,
+  at: number,
+  end: number,
+): void {
   const channel = view.getUint16(at, true);
   const time = Number(view.getBigUint64(at + 6, true) / 1000n);
   const message = { time, bytes: records.subarray(at + 22, end) };

@@ -67,12 +67,14 @@ export function typeOf(schema: string): MemberType {
 type Definition = ReturnType<typeof parse>[number]["definitions"][number];
 
 function complete(type: MemberType, lines: Definition[], build: (name: string) => MemberType) {
-  type.members = lines.filter((line) => !line.isConstant).map((line) => ({
-    name: line.name,
-    type: build(line.type),
-    isArray: line.isArray ?? false,
-    length: line.arrayLength,
-  }));
+  type.members = lines
+    .filter((line) => !line.isConstant)
+    .map((line) => ({
+      name: line.name,
+      type: build(line.type),
+      isArray: line.isArray ?? false,
+      length: line.arrayLength,
+    }));
   let size: number | undefined = 0;
   for (const member of type.members) {
     const times: number | undefined = member.isArray ? member.length : 1;
@@ -86,7 +88,10 @@ function complete(type: MemberType, lines: Definition[], build: (name: string) =
 export class Decoder {
   private readonly step: Step;
 
-  constructor(readonly type: MemberType, wanted: Wanted = true) {
+  constructor(
+    readonly type: MemberType,
+    wanted: Wanted = true,
+  ) {
     this.step = structure(type, wanted);
   }
 
@@ -99,8 +104,11 @@ export class Decoder {
 function structure(type: MemberType, wanted: Wanted): Step {
   const steps = (type.members ?? []).map((member) => {
     const asked = wanted === true ? true : wanted[member.name];
-    return { name: member.name, keep: asked !== undefined,
-      step: asked === undefined ? passing(member) : reading(member, asked) };
+    return {
+      name: member.name,
+      keep: asked !== undefined,
+      step: asked === undefined ? passing(member) : reading(member, asked),
+    };
   });
   while (steps.length > 0 && !steps[steps.length - 1]!.keep && wanted !== true && !nested(type))
     steps.pop();

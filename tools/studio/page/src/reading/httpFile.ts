@@ -11,7 +11,10 @@ export class HttpFile implements Readable {
   private tail: { from: number; bytes: Uint8Array } | undefined;
   private static readonly tailBytes = 256 * 1024;
 
-  constructor(readonly url: string, readonly bytes: number) {}
+  constructor(
+    readonly url: string,
+    readonly bytes: number,
+  ) {}
 
   async size(): Promise<bigint> {
     return BigInt(this.bytes);
@@ -35,10 +38,13 @@ export class HttpFile implements Readable {
   }
 
   private async fetchRange(from: number, count: number): Promise<Uint8Array> {
-    const answer = await fetch(this.url, { headers: { Range: `bytes=${from}-${from + count - 1}` } });
+    const answer = await fetch(this.url, {
+      headers: { Range: `bytes=${from}-${from + count - 1}` },
+    });
     if (answer.status !== 206) throw new Error(`${this.url} answers ${answer.status} to a range`);
     const bytes = new Uint8Array(await answer.arrayBuffer());
-    if (bytes.length !== count) throw new Error(`${this.url} gave ${bytes.length} of ${count} bytes`);
+    if (bytes.length !== count)
+      throw new Error(`${this.url} gave ${bytes.length} of ${count} bytes`);
     return bytes;
   }
 }

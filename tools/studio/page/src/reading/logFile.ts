@@ -35,20 +35,25 @@ export class LogFile {
     return new LogFile(readable, await McapIndexedReader.Initialize({ readable }));
   }
 
-  private constructor(private readonly readable: Readable, reader: McapIndexedReader) {
+  private constructor(
+    private readonly readable: Readable,
+    reader: McapIndexedReader,
+  ) {
     const texts = new TextDecoder();
     for (const { id, topic, schemaId } of reader.channelsById.values()) {
       const schema = reader.schemasById.get(schemaId);
       const text = schema ? texts.decode(schema.data) : "";
       this.channels.set(topic, { id, topic, schema: text, schemaName: schema?.name ?? "" });
     }
-    this.chunks = reader.chunkIndexes.map((c) => ({
-      offset: c.chunkStartOffset,
-      length: c.chunkLength,
-      from: Number(c.messageStartTime / 1000n),
-      to: Number(c.messageEndTime / 1000n),
-      channels: new Set(c.messageIndexOffsets.keys()),
-    })).sort((a, b) => a.from - b.from);
+    this.chunks = reader.chunkIndexes
+      .map((c) => ({
+        offset: c.chunkStartOffset,
+        length: c.chunkLength,
+        from: Number(c.messageStartTime / 1000n),
+        to: Number(c.messageEndTime / 1000n),
+        channels: new Set(c.messageIndexOffsets.keys()),
+      }))
+      .sort((a, b) => a.from - b.from);
   }
 
   get from(): number {
@@ -113,11 +118,16 @@ export class FileStream implements Stream {
   private readonly places: number[]; // chunks that hold the channel
   private readonly decoded = new WeakMap<Uint8Array, Message>();
 
-  constructor(private readonly log: LogFile, private readonly channel: Channel,
-    readonly type: MemberType) {
+  constructor(
+    private readonly log: LogFile,
+    private readonly channel: Channel,
+    readonly type: MemberType,
+  ) {
     this.topic = channel.topic;
     this.decoder = new Decoder(type);
-    this.places = log.chunks.map((_, i) => i).filter((i) => log.chunks[i]!.channels.has(channel.id));
+    this.places = log.chunks
+      .map((_, i) => i)
+      .filter((i) => log.chunks[i]!.channels.has(channel.id));
   }
 
   get from(): number {
@@ -141,8 +151,11 @@ export class FileStream implements Stream {
   async load(time: number): Promise<void> {
     const at = this.placeAt(time);
     if (this.places.length === 0) return;
-    await Promise.all([at - 1, at, at + 1].filter((i) => this.places[i] !== undefined)
-      .map((i) => this.log.chunk(this.places[i]!)));
+    await Promise.all(
+      [at - 1, at, at + 1]
+        .filter((i) => this.places[i] !== undefined)
+        .map((i) => this.log.chunk(this.places[i]!)),
+    );
   }
 
   private place(i: number) {
@@ -151,7 +164,10 @@ export class FileStream implements Stream {
   }
 
   private placeAt(time: number): number {
-    return Math.max(0, lastNotAfter(this.places.length, (i) => this.place(i)!.from, time));
+    return Math.max(
+      0,
+      lastNotAfter(this.places.length, (i) => this.place(i)!.from, time),
+    );
   }
 
   private messages(i: number) {

@@ -24,8 +24,11 @@ export interface Stream {
 export class LazyMessage implements Message {
   private made: Structure | undefined;
 
-  constructor(readonly time: number, readonly bytes: Uint8Array,
-    private readonly decoder: Decoder) {}
+  constructor(
+    readonly time: number,
+    readonly bytes: Uint8Array,
+    private readonly decoder: Decoder,
+  ) {}
 
   get value(): Structure {
     this.made ??= this.decoder.decode(this.bytes);

@@ -24,8 +24,7 @@ async function* outputs(log: LogFile) {
   const channel = log.channels.get(OUTPUT_TOPIC);
   if (!channel) return;
   for (const [i, place] of log.chunks.entries())
-    if (place.channels.has(channel.id))
-      yield* (await log.chunk(i)).messages.get(channel.id) ?? [];
+    if (place.channels.has(channel.id)) yield* (await log.chunk(i)).messages.get(channel.id) ?? [];
 }
 
 export async function compareLogs(a: LogFile, b: LogFile): Promise<Compared> {

@@ -5,8 +5,21 @@ import { LogFile } from "../reading/logFile";
 import { HttpFile } from "../reading/httpFile";
 import { Decoder, type Structure, type Wanted } from "../reading/decoder";
 import { INPUT_TOPICS, OUTPUT_TOPIC, readConfig, robotKey, type LogConfig } from "../model/match";
-import { INPUT_WANTED, NOTHING_BEFORE, OUTPUT_WANTED, addOutput, emptyRows, eventMark, inputMarks,
-  outputMarks, possessionOf, putPossession, type Mark, type Possession } from "../model/facts";
+import {
+  INPUT_WANTED,
+  NOTHING_BEFORE,
+  OUTPUT_WANTED,
+  addOutput,
+  emptyRows,
+  eventMark,
+  inputMarks,
+  outputMarks,
+  possessionOf,
+  putPossession,
+  type Mark,
+  type Possession,
+} from "../model/facts";
+import type { Team } from "../model/field";
 import type { Chunk, RawMessage } from "../reading/chunk";
 import { compareLogs } from "./compare";
 import { readSeries } from "./series";
@@ -37,7 +50,7 @@ function open(place: number): Promise<LogFile> {
   let file = opened.get(place);
   if (!file) {
     const { url, bytes } = logs[place]!;
-    opened.set(place, file = LogFile.open(new HttpFile(url, bytes)));
+    opened.set(place, (file = LogFile.open(new HttpFile(url, bytes))));
   }
   return file;
 }
@@ -45,13 +58,22 @@ function open(place: number): Promise<LogFile> {
 function decoderOf(place: number, log: LogFile, topic: string, wanted: Wanted): Decoder {
   const key = `${place} ${topic}`;
   let decoder = decoders.get(key);
-  if (!decoder) decoders.set(key, decoder = new Decoder(log.typeOf(topic)!, wanted));
+  if (!decoder) decoders.set(key, (decoder = new Decoder(log.typeOf(topic)!, wanted)));
   return decoder;
 }
 
 function messagesOf(log: LogFile, chunk: Chunk, topic: string): RawMessage[] {
   const channel = log.channels.get(topic);
   return (channel && chunk.messages.get(channel.id)) ?? [];
+}
+
+// The second log of the same robot, in a comparison, has a lane of its own.
+function keyOf(place: number, team: Team, player: number): string {
+  const key = robotKey(team, player);
+  const before = [...configs].some(
+    ([other, config]) => other < place && config?.team === team && config.player === player,
+  );
+  return before ? `${key} b` : key;
 }
 
 function robotFacts(place: number, log: LogFile, index: number, chunk: Chunk): void {
@@ -62,7 +84,8 @@ function robotFacts(place: number, log: LogFile, index: number, chunk: Chunk): v
   const marks: Mark[] = [];
   const before = { ...NOTHING_BEFORE };
   const outputs = messagesOf(log, chunk, OUTPUT_TOPIC);
-  const decoder = outputs.length > 0 ? decoderOf(place, log, OUTPUT_TOPIC, OUTPUT_WANTED) : undefined;
+  const decoder =
+    outputs.length > 0 ? decoderOf(place, log, OUTPUT_TOPIC, OUTPUT_WANTED) : undefined;
   outputs.forEach(({ time, bytes }, i) => {
     const output = decoder!.decode(bytes);
     addOutput(rows, output, time, outputs[i + 1]?.time ?? time + FRAME_END);
@@ -70,9 +93,16 @@ function robotFacts(place: number, log: LogFile, index: number, chunk: Chunk): v
   });
   for (const topic of INPUT_TOPICS.slice(0, 2))
     for (const { time, bytes } of messagesOf(log, chunk, topic))
-      marks.push(...inputMarks(decoderOf(place, log, topic, INPUT_WANTED).decode(bytes), time, team,
-        player, before));
-  tell({ is: "robotFacts", robot: robotKey(team, player), chunk: index, rows, marks });
+      marks.push(
+        ...inputMarks(
+          decoderOf(place, log, topic, INPUT_WANTED).decode(bytes),
+          time,
+          team,
+          player,
+          before,
+        ),
+      );
+  tell({ is: "robotFacts", robot: keyOf(place, team, player), chunk: index, rows, marks });
 }
 
 function worldFacts(place: number, log: LogFile, index: number, chunk: Chunk): void {
@@ -80,11 +110,16 @@ function worldFacts(place: number, log: LogFile, index: number, chunk: Chunk): v
   const truths = messagesOf(log, chunk, "/truth");
   truths.forEach(({ time, bytes }, i) => {
     const truth: Structure = decoderOf(place, log, "/truth", true).decode(bytes);
-    putPossession(possession, time, truths[i + 1]?.time ?? time + 2 * FRAME_END,
-      possessionOf(truth));
+    putPossession(
+      possession,
+      time,
+      truths[i + 1]?.time ?? time + 2 * FRAME_END,
+      possessionOf(truth),
+    );
   });
   const marks = messagesOf(log, chunk, "/event").map(({ time, bytes }) =>
-    eventMark(decoderOf(place, log, "/event", true).decode(bytes), time));
+    eventMark(decoderOf(place, log, "/event", true).decode(bytes), time),
+  );
   tell({ is: "worldFacts", chunk: index, marks, possession });
 }
 
@@ -134,11 +169,18 @@ async function answer(question: Question): Promise<void> {
     await readFacts();
   }
   if (question.ask === "series")
-    await readSeries(await open(question.log), question.topic, question.path,
-      (times, values, done) => tell({ is: "series", id: question.id, times, values, done },
-        [times.buffer, values.buffer]));
+    await readSeries(
+      await open(question.log),
+      question.topic,
+      question.path,
+      (times, values, done) =>
+        tell({ is: "series", id: question.id, times, values, done }, [times.buffer, values.buffer]),
+    );
   if (question.ask === "compare")
-    tell({ is: "compared", ...(await compareLogs(await open(question.a), await open(question.b))) });
+    tell({
+      is: "compared",
+      ...(await compareLogs(await open(question.a), await open(question.b))),
+    });
 }
 
 self.addEventListener("message", (event: MessageEvent<Question>) => {

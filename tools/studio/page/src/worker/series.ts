@@ -22,8 +22,12 @@ export function valueOf(message: Structure, path: string): number {
 
 const CHUNKS_A_TELLING = 40;
 
-export async function readSeries(log: LogFile, topic: string, path: string,
-  tell: (times: Float64Array, values: Float64Array, done: boolean) => void): Promise<void> {
+export async function readSeries(
+  log: LogFile,
+  topic: string,
+  path: string,
+  tell: (times: Float64Array, values: Float64Array, done: boolean) => void,
+): Promise<void> {
   const channel = log.channels.get(topic);
   const type = log.typeOf(topic);
   if (!channel || !type) return tell(new Float64Array(), new Float64Array(), true);
