@@ -51,6 +51,7 @@ Expected<Match> Match::open(const std::string& path) {
     if (message.topic() == kFrameOutputTopic && match.frames_++ == 0)
       static_cast<void>(
           decodeAs(message, *output));  // for the notes; the film passes damaged ones over
+    match.takeEvent(message);
     if (message.topic() != kConfigTopic) continue;
     const auto config = std::make_unique<agent::AgentConfig>();
     const Status read = decodeAs(message, *config);
@@ -62,10 +63,17 @@ Expected<Match> Match::open(const std::string& path) {
   }
   if (!reader->status()) return Error{reader->status().error()};
   cli::tellNotes(*reader);
+  for (const LogMetadata& metadata : reader->metadata())
+    if (metadata.name == sim::kMatchNotes) match.notes_ = metadata.entries;
   if (const std::string lacks = reader->lacks(); !lacks.empty()) match.lacks_ = path + ": " + lacks;
   if (!configured || match.frames_ == 0)
     return Error{path + ": holds no frames with outputs to show"};
   return match;
+}
+
+void Match::takeEvent(const LogMessage& message) {
+  sim::MatchEvent event;
+  if (message.topic() == sim::kEventTopic && decodeAs(message, event)) events_.push_back(event);
 }
 
 void Match::forEachMoment(const std::function<bool(const Moment&)>& show) const {

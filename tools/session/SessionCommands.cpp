@@ -84,6 +84,7 @@ Words worldCommand(const SessionOptions& options, const RunDirectory& runDirecto
   if (loss >= 0.0) argv.insert(argv.end(), {"--radio-loss", std::to_string(loss)});
   if (options.radioDelay >= 0.0)
     argv.insert(argv.end(), {"--radio-delay", std::to_string(options.radioDelay)});
+  addEach("--note", options.notes, argv);
   if (options.rules) argv.insert(argv.end(), {"--rules", "--tell-time"});
   if (options.controller != 0)
     argv.insert(argv.end(), {"--game-controller", std::to_string(options.controller)});

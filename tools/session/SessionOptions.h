@@ -61,7 +61,8 @@ struct SessionOptions {
   bool orders = false;    // the world hears SessionTalk::orders, and agents wait while it stands
   std::string driver;     // socket of who drives the robot; empty: the behaviours play
   std::vector<OtherRobot> others;
-  sim::Staging staging;     // places and throws beside the scenario's
+  std::vector<std::string> notes;  // "red=kelpie", kept in the log: whose teams play
+  sim::Staging staging;            // places and throws beside the scenario's
   bool keepFrames = false;  // without `log`: SessionTalk::frames receives frames without images
   bool keepAll = false;     // and of those of all other robots
 

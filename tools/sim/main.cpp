@@ -34,6 +34,7 @@ struct Options {
   std::string scenario = "empty-goal";
   std::string truth;
   std::string result;
+  std::vector<std::string> notes;  // KEY=VALUE
   bool tellGoals = false;
   bool tellTime = false;
   bool realTime = false;
@@ -206,6 +207,19 @@ void watchLog(const LogWriter& log, ServerHooks& hooks) {
   };
 }
 
+// What the log keeps about which match it is, for whoever draws it.
+LogMap notesOf(const Options& options) {
+  LogMap notes = {{"seed", std::to_string(options.seed)},
+                  {"field", options.field},
+                  {"scenario", options.scenario},
+                  {"bodies", options.physical ? "physical" : "fast"}};
+  for (const std::string& note : options.notes) {
+    const std::size_t equals = note.find('=');
+    if (equals != std::string::npos) notes[note.substr(0, equals)] = note.substr(equals + 1);
+  }
+  return notes;
+}
+
 Status play(const Options& options) {
   auto field = body::fieldDescription(options.field);
   if (!field) return Error{field.error()};
@@ -217,6 +231,7 @@ Status play(const Options& options) {
     auto opened = LogWriter::open(options.truth, truthLogOptions(options.plainLog));
     if (!opened) return Error{opened.error()};
     log = std::move(*opened);
+    log->metadata(kMatchNotes, notesOf(options));
   }
   auto listener = host::Listener::open(options.socket);
   if (!listener) return Error{listener.error()};
@@ -264,6 +279,7 @@ void describe(cli::CommandLine& app, Options& options) {
       .check(cli::integerInRange(0, 100));
   app.option("--truth", options.truth, "log of what really happened (MCAP)");
   app.option("--result", options.result, "result file (JSON)");
+  app.option("--note", options.notes, "KEY=VALUE about the match, kept in the log");
   app.flag("--tell-goals", options.tellGoals, "each goal as a line on standard output");
   app.flag("--tell-time", options.tellTime,
            "with --rules: time, state and score twice a simulated second");

@@ -118,7 +118,7 @@ void nameFiles(const PlayOptions& options, double seconds) {
   const auto name = [&](const char* file, const std::string& what) {
     if (fs::exists(options.file(file))) fmt::print("{}: {}\n", options.file(file), what);
   };
-  name("match.png", "paths of robot and ball, six camera frames");
+  name("match.png", "the match in one picture: paths and six moments");
   name("match.mp4", "film: camera with what vision saw, field from above");
   name("match.mcap", describeLog(options, seconds));
   if (!options.noFilm && !fs::exists(options.file("match.mp4")))
@@ -152,6 +152,32 @@ void addOpponent(PlayOptions& options) {
   keeper.set = {fmt::format("behaviour.task.player={}", static_cast<int>(kind))};
   keeper.seed = options.session.seed;
   options.session.others = {keeper};
+}
+
+// "thesis" of teams/thesis/; what the source tree's own behaviours play is kelpie.
+std::string nameOf(const std::string& folder, const std::string& pycode) {
+  const fs::path path(folder.empty() ? pycode : folder);
+  const std::string name = (path.has_filename() ? path : path.parent_path()).stem().string();
+  return name.empty() || name == "pycode" ? "kelpie" : name;
+}
+
+// Whose teams play: for the titles of pictures. A team without robots has no name.
+void addNames(PlayOptions& options) {
+  SessionOptions& session = options.session;
+  const auto plays = [&](const char* team) {
+    return session.team == team ||
+           std::any_of(session.others.begin(), session.others.end(),
+                       [&](const OtherRobot& robot) { return robot.team == team; });
+  };
+  const bool keeper = options.opponent != "none";
+  const std::string keeps = options.opponent == "goalie" ? "goalie of 2006" : "goalie of 2004";
+  for (const char* team : {"red", "blue"}) {
+    const bool other = keeper && session.team != team;
+    const std::string& folder = std::string(team) == "red" ? options.red : options.blue;
+    if (plays(team))
+      session.notes.push_back(std::string(team) + "=" +
+                              (other ? keeps : nameOf(folder, session.pycode)));
+  }
 }
 
 Status addTeams(PlayOptions& options) {
@@ -274,6 +300,7 @@ Status prepare(PlayOptions& options) {
   addOpponent(options);
   const Status teams = addTeams(options);
   if (!teams) return teams;
+  addNames(options);
   const Status controlled = addController(options);
   return controlled ? stage(options) : controlled;
 }

@@ -15,6 +15,7 @@
 #include "tools/match/Draw.h"
 #include "tools/match/Match.h"
 #include "tools/match/TraceWords.h"
+#include "tools/match/drawing/MatchPicture.h"
 #include "tools/picture/FileNames.h"
 #include "tools/picture/FilmFile.h"
 #include "tools/picture/PngFile.h"
@@ -26,18 +27,14 @@ using namespace match;
 
 namespace fs = std::filesystem;
 
-constexpr int kCameraScale = 3;      // 624 x 480
-constexpr double kFieldScale = 1.0;  // pixels per cm
-constexpr int kFilmRate = 30;        // frames a second
-constexpr int kCaption = 32;         // px below the pictures
-constexpr int kTileText = 46;        // px below a camera's picture: belief, decisions, reason
+constexpr int kCameraScale = 3;                           // 624 x 480
+constexpr double kFieldScale = 1.0;                       // pixels per cm
+constexpr int kFilmRate = 30;                             // frames a second
+constexpr int kCaption = 32;                              // px below the pictures
 constexpr int kReasonsTop = kCameraScale * kImageHeight;  // below the camera's picture
 constexpr int kReasonsHigh = (static_cast<int>(Trace::kCapacity) + 1) * kReasonLine - 12;
 constexpr double kReasonSize = 0.45;
-constexpr std::size_t kTrail = 300;     // frames of the paths that a film shows: ten seconds
-constexpr int kPictureFrames = 6;       // camera frames in the picture
-constexpr int kPictureCameraScale = 2;  // 416 x 320
-constexpr double kPictureFieldScale = 1.5;
+constexpr std::size_t kTrail = 300;  // frames of the paths that a film shows: ten seconds
 const cv::Scalar kInk(235, 235, 235);
 
 void follow(Paths& paths, const Moment& moment) {
@@ -108,47 +105,6 @@ std::string partName(const std::string& out) {
       .string();
 }
 
-// The frames shown in the picture: evenly spread, the first and the last whole one included.
-bool isShown(std::size_t frame, std::size_t all) {
-  if (all <= kPictureFrames) return true;
-  for (std::size_t k = 0; k < kPictureFrames; ++k)
-    if (frame == k * (all - 1) / (kPictureFrames - 1)) return true;
-  return false;
-}
-
-cv::Mat arrange(const cv::Mat& ground, const std::vector<cv::Mat>& frames) {
-  const int tileWidth = kPictureCameraScale * kImageWidth;
-  const int tileHeight = kPictureCameraScale * kImageHeight + kTileText;
-  const int height = std::max(ground.rows, 3 * tileHeight) + kCaption;
-  cv::Mat canvas(height, ground.cols + 2 * tileWidth + 16, CV_8UC3, cv::Scalar(30, 30, 30));
-  paste(canvas, ground, 0, 0);
-  for (std::size_t i = 0; i < frames.size(); ++i)
-    paste(canvas, frames[i], ground.cols + 8 + static_cast<int>(i % 2) * (tileWidth + 8),
-          static_cast<int>(i / 2) * tileHeight);
-  write(canvas,
-        "white: robot   red, blue: others   orange: ball   pink: where the robot believed it was",
-        {8, height - 10});
-  return canvas;
-}
-
-cv::Mat tile(const Moment& moment) {
-  const cv::Mat camera = drawCamera(moment.input, moment.output, kPictureCameraScale);
-  cv::Mat result(camera.rows + kTileText, camera.cols, CV_8UC3, cv::Scalar(30, 30, 30));
-  paste(result, camera, 0, 0);
-  const auto line = [&](const std::string& text, int below) {
-    cv::putText(result, text, {2, camera.rows + below}, cv::FONT_HERSHEY_SIMPLEX, 0.35, kInk, 1,
-                cv::LINE_AA);
-  };
-  line(describe(moment.input, moment.output), 13);
-  // Who decided what, and the reason of the last in the chain.
-  const Trace& trace = moment.output.command.trace;
-  if (!trace.empty()) {
-    line(chainOf(trace), 26);
-    line(reasonOf(trace.back()), 39);
-  }
-  return result;
-}
-
 Status writeFilm(const Match& match, const std::string& part) {
   FilmFrames frames(match);
   auto film = picture::FilmFile::create(part, frames.size(), kFilmRate);
@@ -174,23 +130,11 @@ Status filmMatch(const match::Match& match, const std::string& out) {
 }
 
 Status drawMatchPicture(const match::Match& match, const std::string& out) {
-  const auto& field = match.field();
-  cv::Mat ground = drawField(field, match.team(), kPictureFieldScale);
-  Paths paths;
-  std::vector<cv::Mat> frames;
-  std::size_t number = 0;
   Progress progress("picture", "frames");
-  match.forEachMoment([&](const Moment& moment) {
-    follow(paths, moment);
-    if (isShown(number++, match.frames())) frames.push_back(tile(moment));
-    if (number == match.frames()) {
-      drawPaths(ground, field, kPictureFieldScale, paths);
-      drawPlaces(ground, field, kPictureFieldScale, moment);
-    }
-    progress(number, match.frames());
-    return true;
-  });
-  return picture::writePng(out, arrange(ground, frames));
+  const auto drawn =
+      match::drawMatch(match, [&](std::size_t done, std::size_t all) { progress(done, all); });
+  if (!drawn) return Error{out + ": " + drawn.error()};
+  return picture::writePng(out, *drawn);
 }
 
 namespace {
@@ -204,12 +148,14 @@ int film(const FilmOptions& options) {
   if (isDevice(options.out)) return fail(options.out + ": not a plain file", kExitBadInput);
   if (sameFile(options.log, options.out))
     return fail(options.out + ": is the log itself", kExitBadInput);
-  if (picture::endingOf(options.out) != ".mp4")
-    return fail(options.out + ": a film is an .mp4 file", kExitBadInput);
+  const std::string ending = picture::endingOf(options.out);
+  if (ending != ".mp4" && ending != ".png")
+    return fail(options.out + ": a film is an .mp4 file, a picture a .png file", kExitBadInput);
   catchInterrupts();
   const auto match = Match::open(options.log);
   if (!match) return fail(match.error(), kExitBadInput);
-  const Status made = filmMatch(*match, options.out);
+  const Status made = ending == ".png" ? drawMatchPicture(*match, options.out)
+                                       : filmMatch(*match, options.out);
   if (!made) return fail(made.error(), kExitBadInput);
   return match->lacks().empty() ? kExitDone : fail(match->lacks(), kExitBadInput);
 }

@@ -13,6 +13,7 @@ namespace kelpie::sim {
 
 constexpr const char* kTruthTopic = "/truth";
 constexpr const char* kEventTopic = "/event";
+constexpr const char* kMatchNotes = "match";  // metadata: which match it is
 constexpr std::size_t kMaxRobots = 8;
 
 struct RobotTruth {
