@@ -35,6 +35,7 @@ struct Moment {
   const FrameInput& input;
   const FrameOutput& output;
   TruePlaces truth;
+  bool fresh = true;  // the image is of this moment, not one that was kept of an earlier
 };
 
 // Paths so far, in field coordinates.

@@ -84,14 +84,17 @@ void Match::forEachMoment(const std::function<bool(const Moment&)>& show) const 
   sim::TruthFrame truth;
   TruePlaces places;
   bool inputKnown = false;
+  bool fresh = true;
   LogMessage message;
   while (reader->next(message)) {
     if (message.topic() == sim::kTruthTopic && decodeAs(message, truth))
       places = placesOf(truth, *this);
-    if (agent::isFrameInput(message.topic()))
+    if (agent::isFrameInput(message.topic())) {
       inputKnown = cli::decodeForPeople(message, *input).ok();
+      fresh = cli::hasImage(message);
+    }
     if (message.topic() == kFrameOutputTopic && inputKnown && decodeAs(message, *output) &&
-        !show({*input, *output, places}))
+        !show({*input, *output, places, fresh}))
       return;
   }
 }

@@ -184,6 +184,12 @@ void LogFile::frame(const FrameInput& input, const FrameOutput& output) {
   writer_.write(kFrameOutputTopic, input.time, output);
 }
 
+bool hasImage(const LogMessage& message) {
+  if (message.topic() != kPictureFrameTopic) return true;
+  const auto frame = std::make_unique<PictureFrame>();
+  return decodeAs(message, *frame).ok() && frame->jpeg.size() > 0;
+}
+
 Status decodeForPeople(const LogMessage& message, FrameInput& input) {
   if (message.topic() != kPictureFrameTopic) return agent::decodeFrameInput(message, input);
   const auto frame = std::make_unique<PictureFrame>();

@@ -59,6 +59,8 @@ Expected<bool> copyMessage(const LogMessage& message, LogWriter& out);
 // As agent::decodeFrameInput, with the picture as the image where the image was not kept. Where
 // there is no picture either the image is left as it was.
 Status decodeForPeople(const LogMessage& message, FrameInput& input);
+// Whether a frame's input that was decoded so has an image, a class plane or a picture of its own.
+bool hasImage(const LogMessage& message);
 
 // Tells the user which messages were read by translation from other field lists.
 void tellNotes(const LogReader& reader);

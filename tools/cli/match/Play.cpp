@@ -75,15 +75,21 @@ std::string outcome(const SessionResult& result) {
   return text;
 }
 
-// The picture first: whoever interrupts the film keeps it.
-int makePictures(const PlayOptions& options) {
+// The picture first: whoever interrupts the film keeps it. What cannot be drawn is said in a line;
+// the match and its log are there all the same.
+int makePictures(const PlayOptions& options, const std::vector<std::string>& others) {
   const auto match = match::Match::open(options.session.log);
   if (!match) return fail(match.error(), kExitMachine);
+  int code = kExitDone;
   const Status picture = drawMatchPicture(*match, options.file("match.png"));
-  if (!picture) return fail(picture.error(), kExitMachine);
-  if (options.noFilm || interrupted()) return kExitDone;
-  const Status film = filmMatch(*match, options.file("match.mp4"));
-  if (film || interrupted()) return kExitDone;
+  if (!picture) code = fail(picture.error(), kExitMachine);
+  if (options.noFilm || interrupted()) return code;
+  FilmRequest request{{options.session.log}, "broadcast", options.file("match.mp4")};
+  for (const std::string& log : others)
+    if (log != options.session.log) request.logs.push_back(log);
+  std::vector<std::string> lacks;
+  const Status film = filmMatch(*match, request, lacks);
+  if (film || interrupted()) return code;
   return fail(film.error(), kExitMachine);
 }
 
@@ -119,7 +125,7 @@ void nameFiles(const PlayOptions& options, double seconds) {
     if (fs::exists(options.file(file))) fmt::print("{}: {}\n", options.file(file), what);
   };
   name("match.png", "the match in one picture: paths and six moments");
-  name("match.mp4", "film: camera with what vision saw, field from above");
+  name("match.mp4", "film: the match in 3D, what the robot sees and why it acts");
   name("match.mcap", describeLog(options, seconds));
   if (!options.noFilm && !fs::exists(options.file("match.mp4")))
     fmt::print("the film was left out; kelpie film {} {} makes it\n", options.session.log,
@@ -310,14 +316,14 @@ int tellMatch(const PlayOptions& options, const SessionResult& result, double to
     return fail(result.trouble, result.badInput      ? kExitBadInput
                                 : result.interrupted ? kExitInterrupted
                                                      : kExitMachine);
-  const int pictures = result.logged ? makePictures(options) : kExitDone;
-  if (pictures != kExitDone) return pictures;
+  const int pictures = result.logged ? makePictures(options, result.logs) : kExitDone;
   nameFiles(options, result.seconds);
   if (options.session.allLogs) nameLogs(options, result.logs);
   fmt::print("{} (seed {}, {:.1f} simulated seconds in {:.1f} s)\n",
              options.session.rules ? score(options, result) : outcome(result), options.session.seed,
              result.seconds, took);
-  return exitCode(options, result);
+  const int code = exitCode(options, result);
+  return code == kExitDone ? pictures : code;
 }
 
 Status beginWatch(PlayOptions& options) {

@@ -3,18 +3,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <opencv2/imgproc.hpp>
 
+#include "tools/broadcast/BroadcastFilm.h"
+#include "tools/broadcast/SplitFilm.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/WholeFile.h"
-#include "tools/cli/match/Describe.h"
-#include "tools/match/Draw.h"
-#include "tools/match/Match.h"
-#include "tools/match/TraceWords.h"
+#include "tools/cli/show/RobotFilm.h"
 #include "tools/match/drawing/MatchPicture.h"
 #include "tools/picture/FileNames.h"
 #include "tools/picture/FilmFile.h"
@@ -23,79 +22,20 @@
 namespace kelpie::cli {
 namespace {
 
-using namespace match;
+using match::Match;
+using match::Moment;
 
 namespace fs = std::filesystem;
 
-constexpr int kCameraScale = 3;                           // 624 x 480
-constexpr double kFieldScale = 1.0;                       // pixels per cm
-constexpr int kFilmRate = 30;                             // frames a second
-constexpr int kCaption = 32;                              // px below the pictures
-constexpr int kReasonsTop = kCameraScale * kImageHeight;  // below the camera's picture
-constexpr int kReasonsHigh = (static_cast<int>(Trace::kCapacity) + 1) * kReasonLine - 12;
-constexpr double kReasonSize = 0.45;
-constexpr std::size_t kTrail = 300;  // frames of the paths that a film shows: ten seconds
-const cv::Scalar kInk(235, 235, 235);
+constexpr int kRobotRate = 30;  // frames a second
 
-void follow(Paths& paths, const Moment& moment) {
-  paths.belief.push_back(moment.output.world.pose.position);
-  if (!moment.truth.present) return;
-  if (const TrueRobot* own = moment.truth.own()) paths.robot.push_back(own->pose.position);
-  if (moment.truth.ballThere) paths.ball.push_back(moment.truth.ball);
-}
-
-// Drops all but the last of each path: a film that drew whole paths took longer with every frame,
-// 45 ms on average over four minutes.
-void cutToTrail(Paths& paths) {
-  for (auto* path : {&paths.robot, &paths.ball, &paths.belief})
-    if (path->size() > kTrail)
-      path->erase(path->begin(), path->end() - static_cast<std::ptrdiff_t>(kTrail));
-}
-
-void write(cv::Mat& picture, const std::string& text, cv::Point where) {
-  cv::putText(picture, text, where, cv::FONT_HERSHEY_SIMPLEX, 0.5, kInk, 1, cv::LINE_AA);
-}
-
-// Pastes `part` at a place of the canvas, cut to what fits.
-void paste(cv::Mat& canvas, const cv::Mat& part, int x, int y) {
-  const int width = std::min(part.cols, canvas.cols - x);
-  const int height = std::min(part.rows, canvas.rows - y);
-  part(cv::Rect(0, 0, width, height)).copyTo(canvas(cv::Rect(x, y, width, height)));
-}
-
-int even(int n) { return n + n % 2; }  // H.264 wants even sizes
-
-// Draws the frames of a film.
-class FilmFrames {
- public:
-  explicit FilmFrames(const Match& match)
-      : field_(match.field()), ground_(drawField(match.field(), match.team(), kFieldScale)) {
-    const int width = kCameraScale * kImageWidth + ground_.cols;
-    const int height = std::max(kReasonsTop + kReasonsHigh, ground_.rows) + kCaption;
-    canvas_ = cv::Mat(even(height), even(width), CV_8UC3, cv::Scalar(30, 30, 30));
-  }
-  cv::Size size() const { return canvas_.size(); }
-
-  const cv::Mat& next(const Moment& moment) {
-    follow(paths_, moment);
-    cutToTrail(paths_);
-    canvas_.setTo(cv::Scalar(30, 30, 30));
-    paste(canvas_, drawCamera(moment.input, moment.output, kCameraScale), 0, 0);
-    cv::Mat ground = ground_.clone();
-    drawPaths(ground, field_, kFieldScale, paths_);
-    drawPlaces(ground, field_, kFieldScale, moment);
-    paste(canvas_, ground, kCameraScale * kImageWidth, 0);
-    drawLines(canvas_, reasonLines(moment.input.drive.present, moment.output.command),
-              {8, kReasonsTop + kReasonLine}, kCameraScale * kImageWidth - 16, kReasonSize, kInk);
-    write(canvas_, describe(moment.input, moment.output), {8, canvas_.rows - 10});
-    return canvas_;
-  }
-
- private:
-  body::FieldDescription field_;
-  cv::Mat ground_;
-  cv::Mat canvas_;
-  Paths paths_;
+// The frames of one film, whichever view it is.
+struct Frames {
+  cv::Size size;
+  int rate = kRobotRate;
+  std::size_t every = 1;  // of the camera's frames one is shown
+  std::function<Expected<cv::Mat>(const Moment&)> frame;
+  std::function<Expected<cv::Mat>(const Moment&)> last;  // stays for a while; maybe none
 };
 
 // Name for the unfinished file; keeps the ending, which tells the container.
@@ -105,31 +45,98 @@ std::string partName(const std::string& out) {
       .string();
 }
 
-Status writeFilm(const Match& match, const std::string& part) {
-  FilmFrames frames(match);
-  auto film = picture::FilmFile::create(part, frames.size(), kFilmRate);
+Frames robotFrames(const Match& match) {
+  const auto film = std::make_shared<RobotFilm>(match);
+  return {film->size(),
+          kRobotRate,
+          1,
+          [film](const Moment& moment) { return Expected<cv::Mat>(film->frame(moment)); },
+          {}};
+}
+
+template <class Film>
+Frames televised(Film&& made) {
+  const auto film = std::make_shared<Film>(std::forward<Film>(made));
+  Frames frames{Film::size(), broadcast::kFilmRate, broadcast::kEvery, {}, {}};
+  frames.frame = [film](const Moment& moment) { return film->frame(moment); };
+  return frames;
+}
+
+Expected<Frames> broadcastFrames(const Match& match, broadcast::Course course) {
+  auto film = broadcast::BroadcastFilm::create(match, std::move(course));
   if (!film) return Error{film.error()};
-  Progress progress("film", "frames");
-  std::size_t done = 0;
-  Status status = Done{};
-  match.forEachMoment([&](const Moment& moment) {
-    status = interrupted() ? Status(Error{"interrupted"}) : film->add(frames.next(moment));
-    progress(++done, match.frames());
+  const auto shared = std::make_shared<broadcast::BroadcastFilm>(std::move(*film));
+  Frames frames{shared->size(), broadcast::kFilmRate, broadcast::kEvery, {}, {}};
+  frames.frame = [shared](const Moment& moment) { return shared->frame(moment); };
+  frames.last = [shared](const Moment& moment) { return shared->last(moment); };
+  return frames;
+}
+
+Expected<Frames> framesOf(const Match& match, const FilmRequest& request,
+                          std::vector<std::string>& lacks) {
+  if (request.view == "robot") return robotFrames(match);
+  auto read = broadcast::readCourse(request.logs, interrupted);
+  if (!read) return Error{read.error()};
+  lacks = read->lacks;
+  if (request.view == "broadcast") return broadcastFrames(match, std::move(read->course));
+  auto film = broadcast::SplitFilm::create(match, std::move(read->course), request.logs);
+  if (!film) return Error{film.error()};
+  return televised(std::move(*film));
+}
+
+class Writing {
+ public:
+  Writing(const Frames& frames, picture::FilmFile& film, std::size_t all)
+      : frames_(frames), film_(film), all_(all) {}
+
+  bool take(const Moment& moment) {
+    if (interrupted()) status = Error{"interrupted"};
+    if (status.ok() && done_ % frames_.every == 0) add(frames_.frame(moment));
+    progress_(++done_, all_);
+    if (status.ok() && done_ == all_ && frames_.last) addLast(moment);
     return status.ok();
-  });
-  if (!status) return status;
-  return film->close();
+  }
+
+  Status status = Done{};
+
+ private:
+  void add(const Expected<cv::Mat>& frame) {
+    status = frame ? film_.add(*frame) : Status(Error{frame.error()});
+  }
+  void addLast(const Moment& moment) {
+    const auto frame = frames_.last(moment);
+    const int times = static_cast<int>(broadcast::kLastPicture * frames_.rate);
+    for (int i = 0; i < times && status.ok(); ++i) add(frame);
+  }
+
+  const Frames& frames_;
+  picture::FilmFile& film_;
+  std::size_t all_;
+  std::size_t done_ = 0;
+  Progress progress_{"film", "frames"};
+};
+
+Status writeFilm(const Match& match, const FilmRequest& request, const std::string& part,
+                 std::vector<std::string>& lacks) {
+  const auto frames = framesOf(match, request, lacks);
+  if (!frames) return Error{frames.error()};
+  auto film = picture::FilmFile::create(part, frames->size, frames->rate);
+  if (!film) return Error{film.error()};
+  Writing writing(*frames, *film, match.frames());
+  match.forEachMoment([&](const Moment& moment) { return writing.take(moment); });
+  return writing.status ? film->close() : writing.status;
 }
 
 }  // namespace
 
-Status filmMatch(const match::Match& match, const std::string& out) {
-  const std::string part = partName(out);
-  const Status written = writeFilm(match, part);
-  return putInPlace(written ? written : Status(Error{out + ": " + written.error()}), part, out);
+Status filmMatch(const Match& match, const FilmRequest& request, std::vector<std::string>& lacks) {
+  const std::string part = partName(request.out);
+  const Status written = writeFilm(match, request, part, lacks);
+  return putInPlace(written ? written : Status(Error{request.out + ": " + written.error()}), part,
+                    request.out);
 }
 
-Status drawMatchPicture(const match::Match& match, const std::string& out) {
+Status drawMatchPicture(const Match& match, const std::string& out) {
   Progress progress("picture", "frames");
   const auto drawn =
       match::drawMatch(match, [&](std::size_t done, std::size_t all) { progress(done, all); });
@@ -137,36 +144,84 @@ Status drawMatchPicture(const match::Match& match, const std::string& out) {
   return picture::writePng(out, *drawn);
 }
 
+std::vector<std::string> logsBeside(const std::string& log) {
+  std::vector<std::string> logs = {log};
+  std::error_code error;
+  for (const char* team : {"red", "blue"})
+    for (int player = 1; player <= 4; ++player) {
+      const fs::path beside = fs::path(log).parent_path() / fmt::format("{}-{}.mcap", team, player);
+      if (fs::is_regular_file(beside, error) && !sameFile(beside.string(), log))
+        logs.push_back(beside.string());
+    }
+  return logs;
+}
+
 namespace {
 
 struct FilmOptions {
-  std::string log;
+  std::vector<std::string> logs;
   std::string out;
+  std::string view = "broadcast";
 };
 
-int film(const FilmOptions& options) {
-  if (isDevice(options.out)) return fail(options.out + ": not a plain file", kExitBadInput);
-  if (sameFile(options.log, options.out))
-    return fail(options.out + ": is the log itself", kExitBadInput);
+Status checkOut(const FilmOptions& options) {
+  if (isDevice(options.out)) return Error{options.out + ": not a plain file"};
+  for (const std::string& log : options.logs)
+    if (sameFile(log, options.out))
+      return Error{options.out +
+                   (options.logs.size() == 1 ? ": is the log itself" : ": is one of the logs")};
   const std::string ending = picture::endingOf(options.out);
   if (ending != ".mp4" && ending != ".png")
-    return fail(options.out + ": a film is an .mp4 file, a picture a .png file", kExitBadInput);
+    return Error{options.out + ": a film is an .mp4 file, a picture of the match a .png file"};
+  return Done{};
+}
+
+int endOf(const Match& match, const std::vector<std::string>& lacks) {
+  std::string all = match.lacks();
+  for (const std::string& one : lacks)
+    if (one != match.lacks()) all += (all.empty() ? "" : "; ") + one;
+  return all.empty() ? kExitDone : fail(all, kExitBadInput);
+}
+
+int film(FilmOptions& options) {
+  if (options.logs.size() < 2)
+    return fail("OUT is required; `kelpie film --help` tells more", kExitBadInput);
+  options.out = options.logs.back();
+  options.logs.pop_back();
+  const Status sound = checkOut(options);
+  if (!sound) return fail(sound.error(), kExitBadInput);
   catchInterrupts();
-  const auto match = Match::open(options.log);
+  const auto match = Match::open(options.logs.front());
   if (!match) return fail(match.error(), kExitBadInput);
-  const Status made = ending == ".png" ? drawMatchPicture(*match, options.out)
-                                       : filmMatch(*match, options.out);
-  if (!made) return fail(made.error(), kExitBadInput);
-  return match->lacks().empty() ? kExitDone : fail(match->lacks(), kExitBadInput);
+  std::vector<std::string> lacks;
+  const FilmRequest request{
+      options.logs.size() == 1 ? logsBeside(options.logs.front()) : options.logs, options.view,
+      options.out};
+  const Status made = picture::endingOf(options.out) == ".png"
+                          ? drawMatchPicture(*match, options.out)
+                          : filmMatch(*match, request, lacks);
+  if (!made) return fail(made.error(), interrupted() ? kExitInterrupted : kExitBadInput);
+  return endOf(*match, lacks);
 }
 
 }  // namespace
 
 void addFilm(CommandLine& app, int& code) {
-  auto command = app.subcommand("film", "A film: camera with overlays beside the field");
+  auto command = app.subcommand("film", "A film of a match, or with OUT.png one picture of it");
   auto options = std::make_shared<FilmOptions>();
-  command.option("LOG", options->log, "The log").required();
-  command.option("OUT", options->out, "The film, for example match.mp4").required();
+  command
+      .option("FILES", options->logs,
+              "LOG... OUT: the log whose robot is watched, those of others, and last the film to "
+              "write, as match.mp4; of one log alone also those that --logs all left beside it "
+              "(red-1.mcap, ...) are read")
+      .required();
+  command
+      .option("--view", options->view,
+              "broadcast (the match in 3D as on television, beside what the robot sees and "
+              "decides), robot (its camera, large, beside the field from above) or split (the "
+              "cameras of all robots round the field)")
+      .check(oneOf({"broadcast", "robot", "split"}))
+      .showDefault();
   command.callback([options, &code] { code = film(*options); });
 }
 

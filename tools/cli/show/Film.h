@@ -3,18 +3,28 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "robot/core/Expected.h"
 #include "tools/match/Match.h"
 
 namespace kelpie::cli {
 
-// Camera with overlays and, below, why the robot did what it did, a line for each layer; beside it
-// the field seen from above. 30 frames a second. An interrupt ends it
-// within a frame, with an error.
-Status filmMatch(const match::Match& match, const std::string& out);
+struct FilmRequest {
+  std::vector<std::string> logs;   // of the match, the watched robot's first
+  std::string view = "broadcast";  // robot or split
+  std::string out;
+};
 
-// Paths of robot and ball from above, and six camera frames with overlays.
+// The robot's view has 30 frames a second, the others 15. An interrupt ends it within a frame, with
+// an error. `lacks`: a line for each log of which not all could be read.
+Status filmMatch(const match::Match& match, const FilmRequest& request,
+                 std::vector<std::string>& lacks);
+
+// The match in one picture: title, paths from above, six moments.
 Status drawMatchPicture(const match::Match& match, const std::string& out);
+
+// The log, and those that `kelpie play --logs all` left of the other robots in the same folder.
+std::vector<std::string> logsBeside(const std::string& log);
 
 }  // namespace kelpie::cli

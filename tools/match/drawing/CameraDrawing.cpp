@@ -66,13 +66,7 @@ class View {
   double scale_;
 };
 
-}  // namespace
-
-void drawCameraView(Canvas& canvas, const Frame& frame, const FrameInput& input,
-                    const FrameOutput& output) {
-  canvas.cut(frame, 6.0);
-  canvas.paste(pictureOf(input.image), frame);
-  View view(canvas, frame);
+void drawMarks(View view, const FrameOutput& output) {
   const Percepts& seen = output.percepts;
   view.line(output.body.horizon.atLeft, output.body.horizon.atRight, inks::kQuiet);
   for (const auto& edge : seen.fieldEdges) view.line(edge.atLeft, edge.atRight, inks::kCarpetEdge);
@@ -85,6 +79,14 @@ void drawCameraView(Canvas& canvas, const Frame& frame, const FrameInput& input,
     view.above(mark.box, fmt::format("{} {:.0f} cm", wordFor(mark.kind), mark.distance),
                inks::of(mark.kind));
   if (seen.ball.present) view.ball(seen.ball);
+}
+
+}  // namespace
+
+void drawCameraView(Canvas& canvas, const Frame& frame, const Moment& moment) {
+  canvas.cut(frame, 6.0);
+  canvas.paste(pictureOf(moment.input.image), frame);
+  if (moment.fresh) drawMarks(View(canvas, frame), moment.output);
   canvas.uncut();
 }
 

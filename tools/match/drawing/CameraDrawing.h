@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the robot's camera showed and what vision found in it, in a frame of a canvas.
+// What the robot's camera showed and what vision found in it, in a frame of a canvas. Over an image
+// that was kept of an earlier moment nothing is marked: it would be elsewhere.
 #pragma once
 
-#include "robot/core/types/FrameInput.h"
-#include "robot/core/types/FrameOutput.h"
+#include "tools/match/Draw.h"
 #include "tools/picture/Canvas.h"
 
 namespace kelpie::match {
 
-void drawCameraView(picture::Canvas& canvas, const picture::Frame& frame, const FrameInput& input,
-                    const FrameOutput& output);
+void drawCameraView(picture::Canvas& canvas, const picture::Frame& frame, const Moment& moment);
 
 }  // namespace kelpie::match

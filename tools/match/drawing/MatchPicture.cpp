@@ -116,7 +116,7 @@ Spot Sheet::corner(int number) const {
 
 void Sheet::tile(const Moment& moment, const Happening& happening, int number) {
   const Spot at = corner(number);
-  drawCameraView(canvas_, {at.x, at.y, kTileWidth, kCameraHigh}, moment.input, moment.output);
+  drawCameraView(canvas_, {at.x, at.y, kTileWidth, kCameraHigh}, moment);
   drawBadge(canvas_, {at.x + 17.0, at.y + 17.0}, number);
   const std::string time = clockOf(moment.input.time.seconds());
   const Type clock{14.0, inks::kText, true};
@@ -200,6 +200,12 @@ Point2<Field> placeOf(const Moment& moment) {
   return own != nullptr ? own->pose.position : moment.output.world.pose.position;
 }
 
+// Where a log keeps few images the next one after the moment is shown, if there is one soon.
+bool isShown(const Moment& moment, std::size_t frame, std::size_t wanted) {
+  constexpr std::size_t kPatience = 15;  // frames
+  return frame >= wanted && (moment.fresh || frame >= wanted + kPatience);
+}
+
 cv::Size sizeOf(const Match& match) {
   const FieldDrawing map(match.field(), match.team(), 0.0, 0.0, kMapWidth);
   const double width = 2 * kMargin + kMapWidth + 28.0 + 2 * kTileWidth + kGap;
@@ -222,7 +228,8 @@ Expected<cv::Mat> drawMatch(const Match& match,
   std::vector<Point2<Field>> places;
   std::size_t frame = 0;
   match.forEachMoment([&](const Moment& moment) {
-    if (places.size() < survey.chosen.size() && frame == survey.chosen[places.size()].frame) {
+    if (places.size() < survey.chosen.size() &&
+        isShown(moment, frame, survey.chosen[places.size()].frame)) {
       places.push_back(placeOf(moment));
       sheet.tile(moment, survey.chosen[places.size() - 1], static_cast<int>(places.size()));
     }

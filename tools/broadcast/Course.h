@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// What moved in a match, as functions of time, from the logs of its robots: places of all by the
+// world's truth, joints of those whose log is there, steps that are made up for the others. Without
+// a truth, as in a recording of a real robot, its robot is where it believes to be, and so is the
+// ball. All on the red team's field. Holds no images.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robot/body/FieldDescription.h"
+#include "robot/core/Expected.h"
+#include "robot/core/types/FrameInput.h"
+#include "robot/core/types/FrameOutput.h"
+#include "tools/broadcast/Stage.h"
+#include "tools/sim/world/Truth.h"
+
+namespace kelpie::broadcast {
+
+using Player = std::pair<TeamColour, int>;
+
+// One robot's joints at a time, and whether it feels the ball under its chin.
+struct JointSample {
+  double seconds = 0.0;
+  JointAngles joints;
+  Stance stance;
+  bool holds = false;
+};
+
+// One robot's place at a time, and how far it has come until then.
+struct PlaceSample {
+  double seconds = 0.0;
+  Pose2 pose;
+  Stance stance;
+  double way = 0.0;  // cm
+};
+
+struct BallSample {
+  double seconds = 0.0;
+  Point2<Field> place;
+  bool there = true;
+};
+
+class Course {
+ public:
+  // The first that tells of a time tells of it for all. Times must not fall.
+  void addTruth(const sim::TruthFrame& truth);
+  void addEvent(const sim::MatchEvent& event);
+  void addJoints(const Player& player, const JointSample& sample);
+  // For a match without a truth.
+  void addBelief(const Player& player, double seconds, const WorldModel& world);
+
+  bool empty() const { return places_.empty(); }
+  Tableau at(double seconds) const;
+  const std::vector<sim::MatchEvent>& events() const { return events_; }
+  bool hasJoints(const Player& player) const { return joints_.count(player) > 0; }
+  // Who has the ball: feels it, or has it before its chest; nobody, or of several the nearest.
+  const Actor* holderOf(const Tableau& tableau, double seconds) const;
+
+ private:
+  void addPlace(const Player& player, PlaceSample sample);
+
+  std::map<Player, std::vector<PlaceSample>> places_;
+  std::map<Player, std::vector<JointSample>> joints_;
+  std::vector<BallSample> ball_;
+  std::vector<sim::MatchEvent> events_;
+};
+
+// Reads what can be read of the logs; the first is the one that is watched. What cannot be read of
+// them is in `lacks`, a line for each. An error where one is no log, two are of one robot, or
+// `stopped` says true.
+struct ReadCourse {
+  Course course;
+  std::vector<std::string> lacks;
+};
+Expected<ReadCourse> readCourse(const std::vector<std::string>& logs,
+                                const std::function<bool()>& stopped = {});
+
+}  // namespace kelpie::broadcast

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stage (StageXml.h) with everything put where it is, and pictures of it, drawn off screen by
+// MuJoCo's renderer with OSMesa, which needs neither a screen nor a graphics card.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "robot/body/FieldDescription.h"
+#include "robot/core/Expected.h"
+#include "robot/core/types/FrameInput.h"
+#include "tools/broadcast/View.h"
+
+namespace kelpie::broadcast {
+
+// One robot on the stage: where it really is and how its joints stand.
+struct Actor {
+  TeamColour team = TeamColour::red;
+  int player = 1;
+  Pose2 pose;  // on the red team's field
+  Stance stance;
+  JointAngles joints;
+};
+
+struct Tableau {
+  std::vector<Actor> actors;
+  Point2<Field> ball;
+  double ballHeight = body::kBallRadius;  // of its middle, cm
+  bool ballThere = false;
+};
+
+class Stage {
+ public:
+  // An error where there is no OSMesa or no memory.
+  static Expected<Stage> build(const body::FieldDescription& field, cv::Size size);
+  Stage(Stage&&) noexcept;
+  Stage& operator=(Stage&&) noexcept;
+  ~Stage();
+
+  cv::Size size() const;
+  // Whoever is not in it is not seen.
+  void put(const Tableau& tableau);
+  // Blue, green, red.
+  Expected<cv::Mat> shoot(const View& view);
+
+ private:
+  struct Studio;
+  explicit Stage(std::unique_ptr<Studio> studio);
+  std::unique_ptr<Studio> studio_;
+};
+
+}  // namespace kelpie::broadcast
