@@ -53,8 +53,9 @@ std::string heading(const match::MatchFacts& facts) {
 Expected<BroadcastFilm> BroadcastFilm::create(const match::Match& match, Course course) {
   const auto fonts = Canvas::create({1, 1}, inks::kGround);
   if (!fonts) return Error{fonts.error()};
-  auto stage = Stage::build(
-      match.field(), {static_cast<int>(kStageFrame.width), static_cast<int>(kStageFrame.height)});
+  auto stage =
+      Stage::build(match.field(), course.players(),
+                   {static_cast<int>(kStageFrame.width), static_cast<int>(kStageFrame.height)});
   if (!stage) return Error{stage.error()};
   BroadcastFilm film(match, std::move(course), std::move(*stage));
   film.plan();
@@ -68,11 +69,8 @@ BroadcastFilm::BroadcastFilm(const match::Match& match, Course course, Stage sta
       facts_(match::factsOf(match.notes(), match.team(), match.player())) {}
 
 void BroadcastFilm::plan() {
-  std::size_t number = 0;
-  match_->forEachMoment([&](const match::Moment& moment) {
-    if (number++ % kEvery == 0) times_.push_back(moment.input.time.seconds());
-    return true;
-  });
+  const std::vector<double> times = course_.frameTimes({match_->team(), match_->player()});
+  for (std::size_t i = 0; i < times.size(); i += kEvery) times_.push_back(times[i]);
   views_ = followPlay(course_, match_->field(), times_, kStageFrame.width / kStageFrame.height);
 }
 

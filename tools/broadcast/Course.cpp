@@ -114,6 +114,20 @@ void Course::addBelief(const Player& player, double seconds, const WorldModel& w
     ball_.push_back({seconds, world.ball.position, world.ball.present});
 }
 
+std::set<Player> Course::players() const {
+  std::set<Player> players;
+  for (const auto& known : places_) players.insert(known.first);
+  return players;
+}
+
+std::vector<double> Course::frameTimes(const Player& player) const {
+  std::vector<double> times;
+  const auto known = joints_.find(player);
+  if (known == joints_.end()) return times;
+  for (const JointSample& sample : known->second) times.push_back(sample.seconds);
+  return times;
+}
+
 Tableau Course::at(double seconds) const {
   Tableau tableau;
   for (const auto& [player, samples] : places_) {

@@ -7,8 +7,8 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
@@ -19,8 +19,6 @@
 #include "tools/sim/world/Truth.h"
 
 namespace kelpie::broadcast {
-
-using Player = std::pair<TeamColour, int>;
 
 // One robot's joints at a time, and whether it feels the ball under its chin.
 struct JointSample {
@@ -53,10 +51,12 @@ class Course {
   // For a match without a truth.
   void addBelief(const Player& player, double seconds, const WorldModel& world);
 
+  std::set<Player> players() const;
   bool empty() const { return places_.empty(); }
   Tableau at(double seconds) const;
   const std::vector<sim::MatchEvent>& events() const { return events_; }
-  bool hasJoints(const Player& player) const { return joints_.count(player) > 0; }
+  // Of each frame of a robot's log.
+  std::vector<double> frameTimes(const Player& player) const;
   // Who has the ball: feels it, or has it before its chest; nobody, or of several the nearest.
   const Actor* holderOf(const Tableau& tableau, double seconds) const;
 

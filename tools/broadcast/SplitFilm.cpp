@@ -5,7 +5,6 @@
 
 #include "tools/broadcast/Captions.h"
 #include "tools/broadcast/Overlay.h"
-#include "tools/broadcast/StageXml.h"
 #include "tools/match/drawing/CameraDrawing.h"
 #include "tools/match/drawing/Inks.h"
 
@@ -50,8 +49,9 @@ Expected<SplitFilm> SplitFilm::create(const match::Match& match, Course course,
                                       const std::vector<std::string>& logs) {
   const auto fonts = Canvas::create({1, 1}, inks::kGround);
   if (!fonts) return Error{fonts.error()};
-  auto stage = Stage::build(
-      match.field(), {static_cast<int>(kStageFrame.width), static_cast<int>(kStageFrame.height)});
+  auto stage =
+      Stage::build(match.field(), course.players(),
+                   {static_cast<int>(kStageFrame.width), static_cast<int>(kStageFrame.height)});
   if (!stage) return Error{stage.error()};
   SplitFilm film(match, std::move(course), std::move(*stage));
   for (const std::string& log : logs) {

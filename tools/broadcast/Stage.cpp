@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "robot/body/Legs.h"
-#include "tools/broadcast/StageXml.h"
 #include "tools/sim/physics/Engine.h"
 
 namespace kelpie::broadcast {
@@ -20,6 +20,15 @@ constexpr double kCm = 0.01;    // m
 constexpr double kAway = -9.0;  // m: below the floor
 constexpr int kGeoms = 1200;    // more than the stage has
 constexpr double kPaw = 0.013;  // m, radius
+
+// Drawn larger and made smaller again, which softens edges for a third of what the renderer's own
+// smoothing takes.
+constexpr double kOversampling = 1.25;
+
+cv::Size oversampled(cv::Size size) {
+  return {static_cast<int>(std::lround(kOversampling * size.width)),
+          static_cast<int>(std::lround(kOversampling * size.height))};
+}
 
 struct FreeContext {
   void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
@@ -66,14 +75,14 @@ struct Stage::Studio {
   Context mesa;
   std::unique_ptr<sim::Engine> engine;
   std::unique_ptr<Renderer> renderer;
-  std::vector<int> slots;  // qpos of each robot's free joint
-  int ball = 0;            // and of the ball's
-  cv::Mat pixels;          // red, green, blue from the bottom up
+  std::map<Player, int> slots;  // qpos of each robot's free joint
+  int ball = 0;                 // and of the ball's
+  cv::Mat pixels;               // red, green, blue from the bottom up
 
   int qposOf(const std::string& joint) const {
     return engine->model().jnt_qposadr[engine->joint(joint)];
   }
-  Status open(const body::FieldDescription& field);
+  Status open(const body::FieldDescription& field, const std::set<Player>& players);
   Status openMesa();
   Status openRenderer();
   void place(const Actor& actor);
@@ -102,17 +111,16 @@ Status Stage::Studio::openRenderer() {
   return Done{};
 }
 
-Status Stage::Studio::open(const body::FieldDescription& field) {
+Status Stage::Studio::open(const body::FieldDescription& field, const std::set<Player>& players) {
   const Status opened = openMesa();
   if (!opened) return opened;
-  auto loaded = sim::Engine::load(stageXml(field, size.width, size.height));
+  pixels = cv::Mat(oversampled(size), CV_8UC3);
+  auto loaded = sim::Engine::load(stageXml(field, players, pixels.cols, pixels.rows));
   if (!loaded) return Error{loaded.error()};
   engine = std::make_unique<sim::Engine>(std::move(*loaded));
-  for (const TeamColour team : {TeamColour::red, TeamColour::blue})
-    for (int player = 1; player <= static_cast<int>(kRobotsOfTeam); ++player)
-      slots.push_back(qposOf(slotName(team, player) + "_free"));
+  for (const auto& [team, player] : players)
+    slots[{team, player}] = qposOf(slotName(team, player) + "_free");
   ball = qposOf("ball");
-  pixels = cv::Mat(size, CV_8UC3);
   return openRenderer();
 }
 
@@ -141,7 +149,7 @@ void Stage::Studio::addShade(Point2<Field> middle, Angle heading, double wide, d
   mjtNum turn[4], matrix[9];
   setTurn(heading - Angle::deg(90.0), Angle(), Angle(), turn);
   mju_quat2Mat(matrix, turn);
-  const float black[4] = {0.0F, 0.03F, 0.0F, 0.30F};
+  const float black[4] = {0.0F, 0.03F, 0.0F, 0.24F};
   mjvGeom* const shade = scene.geoms + scene.ngeom++;
   mjv_initGeom(shade, mjGEOM_ELLIPSOID, half, place, matrix, black);
   shade->category = mjCAT_DECOR;
@@ -162,11 +170,12 @@ void Stage::Studio::addShades() {
   addShade(shown.ball + Point2<Field>{-1.0, 0.6}, Angle(), radius, radius);
 }
 
-Expected<Stage> Stage::build(const body::FieldDescription& field, cv::Size size) {
+Expected<Stage> Stage::build(const body::FieldDescription& field, const std::set<Player>& players,
+                             cv::Size size) {
   auto studio = std::make_unique<Studio>();
   studio->size = size;
   try {
-    const Status opened = studio->open(field);
+    const Status opened = studio->open(field, players);
     if (!opened) return Error{opened.error()};
   } catch (const std::runtime_error& error) {
     return Error{std::string("the stage cannot be drawn: ") + error.what()};
@@ -184,9 +193,9 @@ cv::Size Stage::size() const { return studio_->size; }
 void Stage::put(const Tableau& tableau) {
   studio_->shown = tableau;
   mjData& data = studio_->engine->data();
-  for (const int slot : studio_->slots) data.qpos[slot + 2] = kAway;
+  for (const auto& slot : studio_->slots) data.qpos[slot.second + 2] = kAway;
   for (const Actor& actor : tableau.actors)
-    if (actor.player >= 1 && actor.player <= static_cast<int>(kRobotsOfTeam)) studio_->place(actor);
+    if (studio_->slots.count({actor.team, actor.player}) > 0) studio_->place(actor);
   mjtNum* const ball = data.qpos + studio_->ball;
   ball[0] = kCm * tableau.ball.x;
   ball[1] = kCm * tableau.ball.y;
@@ -210,14 +219,15 @@ Expected<cv::Mat> Stage::shoot(const View& view) {
     mjv_updateScene(&studio.engine->model(), &studio.engine->data(), &studio.renderer->option,
                     nullptr, &camera, mjCAT_ALL, &studio.renderer->scene);
     studio.addShades();
-    const mjrRect whole{0, 0, studio.size.width, studio.size.height};
+    const mjrRect whole{0, 0, studio.pixels.cols, studio.pixels.rows};
     mjr_render(whole, &studio.renderer->scene, &studio.renderer->context);
     mjr_readPixels(studio.pixels.data, nullptr, whole, &studio.renderer->context);
   } catch (const std::runtime_error& error) {
     return Error{std::string("the stage cannot be drawn: ") + error.what()};
   }
   cv::Mat picture;
-  cv::flip(studio.pixels, picture, 0);
+  cv::resize(studio.pixels, picture, studio.size, 0, 0, cv::INTER_AREA);
+  cv::flip(picture, picture, 0);
   cv::cvtColor(picture, picture, cv::COLOR_RGB2BGR);
   return picture;
 }

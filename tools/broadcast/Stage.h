@@ -3,14 +3,15 @@
 // MuJoCo's renderer with OSMesa, which needs neither a screen nor a graphics card.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <set>
 #include <vector>
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/Expected.h"
 #include "robot/core/types/FrameInput.h"
+#include "tools/broadcast/StageXml.h"
 #include "tools/broadcast/View.h"
 
 namespace kelpie::broadcast {
@@ -33,8 +34,9 @@ struct Tableau {
 
 class Stage {
  public:
-  // An error where there is no OSMesa or no memory.
-  static Expected<Stage> build(const body::FieldDescription& field, cv::Size size);
+  // Of these robots alone. An error where there is no OSMesa or no memory.
+  static Expected<Stage> build(const body::FieldDescription& field, const std::set<Player>& players,
+                               cv::Size size);
   Stage(Stage&&) noexcept;
   Stage& operator=(Stage&&) noexcept;
   ~Stage();

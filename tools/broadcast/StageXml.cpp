@@ -14,7 +14,7 @@ namespace {
 constexpr double kCm = 0.01;      // m
 constexpr double kPaint = 0.001;  // m, how high lines stand above the carpet, to be seen
 constexpr double kWall = 0.006;   // m, half the thickness of a goal's walls
-constexpr int kCirclePieces = 40;
+constexpr int kCirclePieces = 28;
 
 std::string box(double x, double y, double z, double halfX, double halfY, double halfZ,
                 const std::string& material, double turn = 0.0) {
@@ -126,7 +126,7 @@ std::string visualXml(int width, int height) {
   return fmt::format(
       "<visual>\n<global fovy=\"32\" offwidth=\"{}\" offheight=\"{}\"/>\n"
       "<quality shadowsize=\"1024\" offsamples=\"0\" numslices=\"14\" numstacks=\"8\" "
-      "numquads=\"4\"/>\n"
+      "numquads=\"1\"/>\n"
       "<map znear=\"0.02\" zfar=\"8\" shadowclip=\"0.9\"/>\n"
       "<headlight ambient=\"0.38 0.38 0.40\" diffuse=\"0.16 0.16 0.16\" specular=\"0 0 0\"/>\n"
       "</visual>\n<statistic extent=\"3\" center=\"1.8 2.7 0.1\"/>\n",
@@ -149,7 +149,8 @@ std::string slotName(TeamColour team, int player) {
   return (team == TeamColour::red ? "red" : "blue") + std::to_string(player);
 }
 
-std::string stageXml(const body::FieldDescription& field, int width, int height) {
+std::string stageXml(const body::FieldDescription& field, const std::set<Player>& players,
+                     int width, int height) {
   std::string out =
       "<mujoco model=\"stage\">\n<compiler angle=\"degree\" inertiafromgeom=\"true\"/>\n"
       "<option gravity=\"0 0 0\"/>\n" +
@@ -160,9 +161,7 @@ std::string stageXml(const body::FieldDescription& field, int width, int height)
       "<body name=\"ball\" pos=\"0 0 -9\"><freejoint name=\"ball\"/>"
       "<geom name=\"ball\" type=\"sphere\" size=\"{}\" material=\"ball\"/></body>\n",
       kCm * body::kBallRadius);
-  for (const TeamColour team : {TeamColour::red, TeamColour::blue})
-    for (int player = 1; player <= static_cast<int>(kRobotsOfTeam); ++player)
-      out += dogXml(team, player);
+  for (const auto& [team, player] : players) out += dogXml(team, player);
   return out + "</worldbody>\n</mujoco>\n";
 }
 
