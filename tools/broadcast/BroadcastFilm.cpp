@@ -50,12 +50,13 @@ std::string heading(const match::MatchFacts& facts) {
 
 }  // namespace
 
-Expected<BroadcastFilm> BroadcastFilm::create(const match::Match& match, Course course) {
+Expected<BroadcastFilm> BroadcastFilm::create(const match::Match& match, Course course,
+                                              double sharpness) {
   const auto fonts = Canvas::create({1, 1}, inks::kGround);
   if (!fonts) return Error{fonts.error()};
-  auto stage =
-      Stage::build(match.field(), course.players(),
-                   {static_cast<int>(kStageFrame.width), static_cast<int>(kStageFrame.height)});
+  auto stage = Stage::build(
+      match.field(), course.players(),
+      {static_cast<int>(kStageFrame.width), static_cast<int>(kStageFrame.height)}, sharpness);
   if (!stage) return Error{stage.error()};
   BroadcastFilm film(match, std::move(course), std::move(*stage));
   film.plan();

@@ -23,7 +23,8 @@ constexpr double kLastPicture = 1.5;  // s that the last one stays
 class BroadcastFilm {
  public:
   // An error where the stage cannot be drawn (Stage.h) or nothing can be written.
-  static Expected<BroadcastFilm> create(const match::Match& match, Course course);
+  static Expected<BroadcastFilm> create(const match::Match& match, Course course,
+                                        double sharpness = kFilmSharpness);
 
   static cv::Size size() { return {1280, 720}; }
   // To be asked in the order of the moments, of each one in kEvery.

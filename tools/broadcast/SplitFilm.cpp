@@ -26,7 +26,7 @@ constexpr std::size_t kCallCount = 8;
 View wholeField(const body::FieldDescription& field) {
   View view;
   view.target = {0.0054 * field.width, 0.005 * field.length, 0.0};
-  view.eye = {0.01 * field.width + 2.9, 0.005 * field.length, 3.1};
+  view.eye = {0.01 * field.width + 3.3, 0.005 * field.length, 3.4};
   return view;
 }
 
@@ -46,12 +46,12 @@ std::string titleOf(const Feed* feed, TeamColour team, int player) {
 }  // namespace
 
 Expected<SplitFilm> SplitFilm::create(const match::Match& match, Course course,
-                                      const std::vector<std::string>& logs) {
+                                      const std::vector<std::string>& logs, double sharpness) {
   const auto fonts = Canvas::create({1, 1}, inks::kGround);
   if (!fonts) return Error{fonts.error()};
-  auto stage =
-      Stage::build(match.field(), course.players(),
-                   {static_cast<int>(kStageFrame.width), static_cast<int>(kStageFrame.height)});
+  auto stage = Stage::build(
+      match.field(), course.players(),
+      {static_cast<int>(kStageFrame.width), static_cast<int>(kStageFrame.height)}, sharpness);
   if (!stage) return Error{stage.error()};
   SplitFilm film(match, std::move(course), std::move(*stage));
   for (const std::string& log : logs) {

@@ -15,7 +15,8 @@ class SplitFilm {
  public:
   // `logs`: all of them, the watched one first.
   static Expected<SplitFilm> create(const match::Match& match, Course course,
-                                    const std::vector<std::string>& logs);
+                                    const std::vector<std::string>& logs,
+                                    double sharpness = kFilmSharpness);
 
   static cv::Size size() { return {1280, 720}; }
   Expected<cv::Mat> frame(const match::Moment& moment);

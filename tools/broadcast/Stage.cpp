@@ -21,13 +21,9 @@ constexpr double kAway = -9.0;  // m: below the floor
 constexpr int kGeoms = 1200;    // more than the stage has
 constexpr double kPaw = 0.013;  // m, radius
 
-// Drawn larger and made smaller again, which softens edges for a third of what the renderer's own
-// smoothing takes.
-constexpr double kOversampling = 1.25;
-
-cv::Size oversampled(cv::Size size) {
-  return {static_cast<int>(std::lround(kOversampling * size.width)),
-          static_cast<int>(std::lround(kOversampling * size.height))};
+cv::Size times(cv::Size size, double factor) {
+  return {static_cast<int>(std::lround(factor * size.width)),
+          static_cast<int>(std::lround(factor * size.height))};
 }
 
 struct FreeContext {
@@ -114,7 +110,6 @@ Status Stage::Studio::openRenderer() {
 Status Stage::Studio::open(const body::FieldDescription& field, const std::set<Player>& players) {
   const Status opened = openMesa();
   if (!opened) return opened;
-  pixels = cv::Mat(oversampled(size), CV_8UC3);
   auto loaded = sim::Engine::load(stageXml(field, players, pixels.cols, pixels.rows));
   if (!loaded) return Error{loaded.error()};
   engine = std::make_unique<sim::Engine>(std::move(*loaded));
@@ -171,9 +166,10 @@ void Stage::Studio::addShades() {
 }
 
 Expected<Stage> Stage::build(const body::FieldDescription& field, const std::set<Player>& players,
-                             cv::Size size) {
+                             cv::Size size, double sharpness) {
   auto studio = std::make_unique<Studio>();
   studio->size = size;
+  studio->pixels = cv::Mat(times(size, sharpness), CV_8UC3);
   try {
     const Status opened = studio->open(field, players);
     if (!opened) return Error{opened.error()};

@@ -32,11 +32,16 @@ struct Tableau {
   bool ballThere = false;
 };
 
+// For a third of what the renderer's own smoothing takes.
+constexpr double kFilmSharpness = 1.2;
+constexpr double kStillSharpness = 2.5;
+
 class Stage {
  public:
-  // Of these robots alone. An error where there is no OSMesa or no memory.
+  // Of these robots alone. An error where there is no OSMesa or no memory. `sharpness`: the picture
+  // is drawn so many times larger and made smaller again, which softens its edges.
   static Expected<Stage> build(const body::FieldDescription& field, const std::set<Player>& players,
-                               cv::Size size);
+                               cv::Size size, double sharpness = kFilmSharpness);
   Stage(Stage&&) noexcept;
   Stage& operator=(Stage&&) noexcept;
   ~Stage();

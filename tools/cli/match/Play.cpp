@@ -84,7 +84,7 @@ int makePictures(const PlayOptions& options, const std::vector<std::string>& oth
   const Status picture = drawMatchPicture(*match, options.file("match.png"));
   if (!picture) code = fail(picture.error(), kExitMachine);
   if (options.noFilm || interrupted()) return code;
-  FilmRequest request{{options.session.log}, "broadcast", options.file("match.mp4")};
+  FilmRequest request{{options.session.log}, "broadcast", options.file("match.mp4"), false};
   for (const std::string& log : others)
     if (log != options.session.log) request.logs.push_back(log);
   std::vector<std::string> lacks;

@@ -62,8 +62,8 @@ Frames televised(Film&& made) {
   return frames;
 }
 
-Expected<Frames> broadcastFrames(const Match& match, broadcast::Course course) {
-  auto film = broadcast::BroadcastFilm::create(match, std::move(course));
+Expected<Frames> broadcastFrames(const Match& match, broadcast::Course course, double sharpness) {
+  auto film = broadcast::BroadcastFilm::create(match, std::move(course), sharpness);
   if (!film) return Error{film.error()};
   const auto shared = std::make_shared<broadcast::BroadcastFilm>(std::move(*film));
   Frames frames{shared->size(), broadcast::kFilmRate, broadcast::kEvery, {}, {}};
@@ -78,8 +78,10 @@ Expected<Frames> framesOf(const Match& match, const FilmRequest& request,
   auto read = broadcast::readCourse(request.logs, interrupted);
   if (!read) return Error{read.error()};
   lacks = read->lacks;
-  if (request.view == "broadcast") return broadcastFrames(match, std::move(read->course));
-  auto film = broadcast::SplitFilm::create(match, std::move(read->course), request.logs);
+  const double sharpness = request.still ? broadcast::kStillSharpness : broadcast::kFilmSharpness;
+  if (request.view == "broadcast")
+    return broadcastFrames(match, std::move(read->course), sharpness);
+  auto film = broadcast::SplitFilm::create(match, std::move(read->course), request.logs, sharpness);
   if (!film) return Error{film.error()};
   return televised(std::move(*film));
 }
@@ -127,6 +129,24 @@ Status writeFilm(const Match& match, const FilmRequest& request, const std::stri
   return writing.status ? film->close() : writing.status;
 }
 
+Expected<cv::Mat> drawFrameAt(const Match& match, const FilmRequest& request, double seconds) {
+  std::vector<std::string> lacks;
+  const auto frames = framesOf(match, request, lacks);
+  if (!frames) return Error{frames.error()};
+  Expected<cv::Mat> drawn = Error{fmt::format("the log ends before {:.1f} s", seconds)};
+  match.forEachMoment([&](const Moment& moment) {
+    if (moment.input.time.seconds() < seconds) return true;
+    drawn = frames->frame(moment);
+    return false;
+  });
+  return drawn;
+}
+
+Expected<cv::Mat> drawWholeMatch(const Match& match) {
+  Progress progress("picture", "frames");
+  return match::drawMatch(match, [&](std::size_t done, std::size_t all) { progress(done, all); });
+}
+
 }  // namespace
 
 Status filmMatch(const Match& match, const FilmRequest& request, std::vector<std::string>& lacks) {
@@ -137,9 +157,7 @@ Status filmMatch(const Match& match, const FilmRequest& request, std::vector<std
 }
 
 Status drawMatchPicture(const Match& match, const std::string& out) {
-  Progress progress("picture", "frames");
-  const auto drawn =
-      match::drawMatch(match, [&](std::size_t done, std::size_t all) { progress(done, all); });
+  const auto drawn = drawWholeMatch(match);
   if (!drawn) return Error{out + ": " + drawn.error()};
   return picture::writePng(out, *drawn);
 }
@@ -162,6 +180,8 @@ struct FilmOptions {
   std::vector<std::string> logs;
   std::string out;
   std::string view = "broadcast";
+  double at = -1.0;  // s; below 0: the whole match
+  bool small = false;
 };
 
 Status checkOut(const FilmOptions& options) {
@@ -183,6 +203,14 @@ int endOf(const Match& match, const std::vector<std::string>& lacks) {
   return all.empty() ? kExitDone : fail(all, kExitBadInput);
 }
 
+Status drawStill(const Match& match, const FilmRequest& request, const FilmOptions& options) {
+  const auto drawn =
+      options.at < 0.0 ? drawWholeMatch(match) : drawFrameAt(match, request, options.at);
+  if (!drawn) return Error{options.out + ": " + drawn.error()};
+  return options.small ? picture::writeSmallPng(options.out, *drawn)
+                       : picture::writePng(options.out, *drawn);
+}
+
 int film(FilmOptions& options) {
   if (options.logs.size() < 2)
     return fail("OUT is required; `kelpie film --help` tells more", kExitBadInput);
@@ -194,12 +222,12 @@ int film(FilmOptions& options) {
   const auto match = Match::open(options.logs.front());
   if (!match) return fail(match.error(), kExitBadInput);
   std::vector<std::string> lacks;
+  const bool still = picture::endingOf(options.out) == ".png";
   const FilmRequest request{
       options.logs.size() == 1 ? logsBeside(options.logs.front()) : options.logs, options.view,
-      options.out};
-  const Status made = picture::endingOf(options.out) == ".png"
-                          ? drawMatchPicture(*match, options.out)
-                          : filmMatch(*match, request, lacks);
+      options.out, still};
+  const Status made =
+      still ? drawStill(*match, request, options) : filmMatch(*match, request, lacks);
   if (!made) return fail(made.error(), interrupted() ? kExitInterrupted : kExitBadInput);
   return endOf(*match, lacks);
 }
@@ -222,6 +250,9 @@ void addFilm(CommandLine& app, int& code) {
               "cameras of all robots round the field)")
       .check(oneOf({"broadcast", "robot", "split"}))
       .showDefault();
+  command.option("--at", options->at, "With OUT.png: the view at that time (s), not the match")
+      .check(inRange(0.0, 1e5));
+  command.flag("--small", options->small, "With OUT.png: in 256 colours, a third of the size");
   command.callback([options, &code] { code = film(*options); });
 }
 

@@ -14,6 +14,7 @@ struct FilmRequest {
   std::vector<std::string> logs;   // of the match, the watched robot's first
   std::string view = "broadcast";  // robot or split
   std::string out;
+  bool still = false;  // one picture, drawn as well as can be
 };
 
 // The robot's view has 30 frames a second, the others 15. An interrupt ends it within a frame, with
