@@ -86,6 +86,19 @@ TEST(Png, GivesBackEveryPixel) {
   EXPECT_EQ(cv::norm(picture, *again, cv::NORM_INF), 0.0);
 }
 
+TEST(Png, InFewColoursIsSmallerAndLooksTheSame) {
+  const TestFile whole(".png");
+  const TestFile small(".small.png");
+  Random random(7);
+  const cv::Mat picture = pictureOf(shapes(random));
+  ASSERT_TRUE(writePng(whole.path, picture));
+  ASSERT_TRUE(writeSmallPng(small.path, picture));
+  EXPECT_LT(std::filesystem::file_size(small.path), std::filesystem::file_size(whole.path) / 2);
+  const auto again = readPng(small.path);
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_LT(cv::norm(picture, *again, cv::NORM_L1) / static_cast<double>(3 * picture.total()), 2.0);
+}
+
 TEST(Png, NamesAFileThatIsNone) {
   const TestFile file(".png");
   std::ofstream(file.path) << "no picture";

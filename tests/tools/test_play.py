@@ -110,7 +110,7 @@ def test_a_film_by_hand_leaves_nothing_when_it_is_interrupted(long_match, tmp_pa
     film.stderr.readline()
     film.send_signal(signal.SIGINT)
     _, errors = film.communicate(timeout=30)
-    assert film.returncode == 2 and "interrupted" in errors
+    assert film.returncode == 130 and "interrupted" in errors
     assert list(tmp_path.iterdir()) == []
 
 

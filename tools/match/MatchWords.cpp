@@ -30,7 +30,7 @@ std::string sidesOf(const MatchFacts& facts) {
   if (other == 0) return words + " and an empty goal";
   const char* const against = countWord(other);
   return words + " against " + static_cast<char>(against[0] - 'A' + 'a') +
-         std::string(against + 1, std::string(against).find(' '));
+         std::string(against + 1, std::string(against).find(' ') - 1);
 }
 
 const char* colourOf(TeamColour team) { return team == TeamColour::red ? "red" : "blue"; }

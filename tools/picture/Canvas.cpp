@@ -29,13 +29,23 @@ struct FreeFont {
 };
 using Layout = std::unique_ptr<PangoLayout, FreeObject>;
 
-// Pango draws boxes where there are no fonts, and tells only standard error.
+// Those that Pango names whatever there is.
+bool isAlias(std::string_view family) {
+  for (const std::string_view alias : {"Sans", "Serif", "Monospace", "System-ui"})
+    if (family == alias) return true;
+  return false;
+}
+
+// Where there are no fonts Pango draws boxes, or nothing, and tells nobody.
 bool hasFonts() {
   PangoFontFamily** families = nullptr;
   int count = 0;
   pango_font_map_list_families(pango_cairo_font_map_get_default(), &families, &count);
+  const bool found = std::any_of(families, families + count, [](PangoFontFamily* family) {
+    return !isAlias(pango_font_family_get_name(family));
+  });
   g_free(families);
-  return count > 0;
+  return found;
 }
 
 void setInk(cairo_t* drawing, const Ink& ink) {
