@@ -38,6 +38,7 @@ class FolderFeed : public Feed {
   };
   std::string playingFolder() const;
   void look();
+  void follow(Follower& follower);
   void begin();
   void end();
 

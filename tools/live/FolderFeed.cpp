@@ -12,6 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds kLookEvery{200};  // for logs that are new
+constexpr std::chrono::milliseconds kSlice{10};       // for one log at a time
 constexpr std::uint64_t kLate = 1U << 19;  // bytes behind: five whole frames with their images
 
 // Of a file or folder, as long as it is there; else 0.
@@ -76,10 +77,18 @@ void FolderFeed::poll() {
     nextLook_ = now + kLookEvery;
     look();
   }
+  for (Follower& follower : followers_) follow(follower);
+}
+
+// A log that grows faster than its messages are converted must keep neither others nor peers from
+// their turn.
+void FolderFeed::follow(Follower& follower) {
+  const bool late = follower.tail.behind() > kLate;
+  const auto end = std::chrono::steady_clock::now() + kSlice;
   LogMessage message;
-  for (Follower& follower : followers_) {
-    const bool late = follower.tail.behind() > kLate;
-    while (follower.tail.next(message)) relay_->take(follower.log, message, late);
+  while (follower.tail.next(message)) {
+    relay_->take(follower.log, message, late);
+    if (std::chrono::steady_clock::now() > end) return;
   }
 }
 
