@@ -12,6 +12,12 @@
 
 namespace kelpie::web {
 
+namespace {
+
+constexpr std::chrono::milliseconds kRest{100};
+
+}  // namespace
+
 using Tcp = boost::asio::ip::tcp;
 
 struct Server::Parts {
@@ -19,12 +25,14 @@ struct Server::Parts {
   boost::asio::io_context context{1};
   Tcp::acceptor acceptor{context};
   boost::asio::steady_timer timer{context};
+  boost::asio::steady_timer rest{context};
 
   Parts(const ServerParams& params, Site& site)
       : shared{params, {params.address, params.origins}, site} {}
 
   Status listen();
   void accept();
+  void acceptLater();
   void wake(double seconds, const std::function<void()>& work);
 };
 
@@ -45,8 +53,17 @@ Status Server::Parts::listen() {
 void Server::Parts::accept() {
   acceptor.async_accept([this](const boost::system::error_code& error, Tcp::socket socket) {
     if (error == boost::asio::error::operation_aborted) return;
-    if (!error) serve(std::move(socket), shared);
+    if (error) return acceptLater();
+    serve(std::move(socket), shared);
     accept();
+  });
+}
+
+// No file descriptor is left, and who knocks goes on knocking: without a rest nothing else is done.
+void Server::Parts::acceptLater() {
+  rest.expires_after(kRest);
+  rest.async_wait([this](const boost::system::error_code& error) {
+    if (!error) accept();
   });
 }
 
