@@ -62,6 +62,7 @@ TEST(Course, WithoutATruthIsWhereTheRobotBelievesToBe) {
   sample.seconds = 1.0;
   sample.joints[Joint::headPan] = Angle::deg(30);
   course.addJoints(kRed, sample);
+  course.addFrame(kRed, {1.0, {}, false});
   const auto world = std::make_unique<WorldModel>();
   world->pose = {{120, 130}, Angle::deg(45)};
   world->ball.present = true;
@@ -86,6 +87,24 @@ TEST(Course, SaysWhoHasTheBallBeforeItsChest) {
   const Tableau far = apart.at(1.0);
   EXPECT_EQ(apart.holderOf(far, 1.0), nullptr);
   EXPECT_EQ(ballWords(nullptr, true), "Nobody has the ball");
+}
+
+TEST(Course, MakesUpStepsBetweenJointsThatAreFarApart) {
+  Course course;
+  for (int i = 0; i <= 60; ++i) course.addTruth(truth(i / 30.0, {100, 100 + i * 0.5}, {180, 200}));
+  for (const double seconds : {0.5, 1.0, 1.5}) course.addJoints(kRed, {seconds, {}});
+  const JointAngles at = course.at(1.25).actors[0].joints;
+  EXPECT_GT(std::fabs(at[Joint::leftFrontRotator].deg()), 1.0);
+  EXPECT_EQ(at[Joint::neckTilt].deg(), 0.0);
+}
+
+TEST(Course, TakesJointsThatAreCloseAsTheyAre) {
+  Course course;
+  for (int i = 0; i <= 60; ++i) {
+    course.addTruth(truth(i / 30.0, {100, 100 + i * 0.5}, {180, 200}));
+    course.addJoints(kRed, {i / 30.0, {}});
+  }
+  EXPECT_EQ(course.at(1.25).actors[0].joints[Joint::leftFrontRotator].deg(), 0.0);
 }
 
 // A ball that leaps from one end of the field to the other.

@@ -10,11 +10,11 @@ namespace {
 constexpr double kCm = 0.01;           // m
 constexpr double kTargetSmooth = 0.7;  // s, standard deviation
 constexpr double kZoomSmooth = 1.3;
-constexpr double kMargin = 0.42;   // m round what must be seen
-constexpr double kNearest = 0.85;  // m, half of what the picture is wide, at least and at most
-constexpr double kWidest = 1.75;
+constexpr double kMargin = 0.50;   // m round what must be seen
+constexpr double kNearest = 1.05;  // m, half of what the picture is wide, at least and at most
+constexpr double kWidest = 1.90;
 constexpr double kStandBehind = 2.6;   // m of the stand behind the side line
-constexpr double kStandHigh = 0.52;    // its height over its distance, of the way of sight
+constexpr double kStandHigh = 0.50;    // its height over its distance, of the way of sight
 constexpr std::size_t kInPicture = 2;  // robots beside the ball
 
 // Where to look, and how wide.

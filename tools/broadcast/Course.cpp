@@ -9,10 +9,12 @@
 namespace kelpie::broadcast {
 namespace {
 
-constexpr double kLegReach = 9.0;    // cm from the middle of a body to its feet: a turn as a way
-constexpr double kJump = 15.0;       // cm between two samples: somebody was carried
-constexpr double kLongAgo = 1.0;     // s: what was known so long ago is known no more
-constexpr double kPaceSpan = 0.25;   // s, over which a robot's pace is taken
+constexpr double kLegReach = 9.0;      // cm from the middle of a body to its feet: a turn as a way
+constexpr double kJump = 15.0;         // cm between two samples: somebody was carried
+constexpr double kLongAgo = 1.0;       // s: what was known so long ago is known no more
+constexpr double kDense = 0.15;        // s between joints that are taken as they are
+constexpr double kStandingPace = 2.0;  // cm/s: up to it a robot stands, from twice of it it walks
+constexpr double kPaceSpan = 0.25;     // s, over which a robot's pace is taken
 constexpr double kBallAhead = 16.0;  // cm ahead of the neck base, and aside, of a ball that is had
 constexpr double kBallAside = 8.0;
 
@@ -106,9 +108,14 @@ void Course::addJoints(const Player& player, const JointSample& sample) {
   if (samples.empty() || sample.seconds > samples.back().seconds) samples.push_back(sample);
 }
 
+void Course::addFrame(const Player& player, const FrameSample& sample) {
+  std::vector<FrameSample>& samples = frames_[player];
+  if (samples.empty() || sample.seconds > samples.back().seconds) samples.push_back(sample);
+}
+
 void Course::addBelief(const Player& player, double seconds, const WorldModel& world) {
-  const auto found = joints_.find(player);
-  if (found == joints_.end()) return;
+  const auto found = frames_.find(player);
+  if (found == frames_.end()) return;
   addPlace(player, {seconds, world.pose, found->second.back().stance, 0.0});
   if (ball_.empty() || seconds > ball_.back().seconds)
     ball_.push_back({seconds, world.ball.position, world.ball.present});
@@ -122,10 +129,29 @@ std::set<Player> Course::players() const {
 
 std::vector<double> Course::frameTimes(const Player& player) const {
   std::vector<double> times;
-  const auto known = joints_.find(player);
-  if (known == joints_.end()) return times;
-  for (const JointSample& sample : known->second) times.push_back(sample.seconds);
+  const auto known = frames_.find(player);
+  if (known == frames_.end()) return times;
+  for (const FrameSample& sample : known->second) times.push_back(sample.seconds);
   return times;
+}
+
+// Joints that are near each other in time are taken as they are; of those farther apart the head's
+// are, and the legs' while the robot does not walk.
+JointAngles Course::jointsAt(const Player& player, const PlaceSample& place, double seconds) const {
+  const double pace = paceAt(places_.at(player), seconds);
+  const JointAngles steps = walkingJoints(place.stance, place.way, pace);
+  const auto known = joints_.find(player);
+  const auto found =
+      known == joints_.end() ? Between<JointSample>{} : between(known->second, seconds);
+  if (found.before == nullptr) return steps;
+  JointAngles joints = mixed(found.before->joints, found.after->joints, found.share);
+  const double apart = found.before == found.after ? std::fabs(seconds - found.before->seconds)
+                                                   : found.after->seconds - found.before->seconds;
+  if (apart < kDense) return joints;
+  const double walks = std::clamp((std::fabs(pace) - kStandingPace) / kStandingPace, 0.0, 1.0);
+  for (std::size_t j = firstJoint(LegId::leftFront); j < kHinges; ++j)
+    joints.angle[j] = partWay(joints.angle[j], steps.angle[j], walks);
+  return joints;
 }
 
 Tableau Course::at(double seconds) const {
@@ -135,12 +161,7 @@ Tableau Course::at(double seconds) const {
     if (found.before == nullptr) continue;
     const PlaceSample place = mixed(*found.before, *found.after, found.share);
     Actor actor{player.first, player.second, place.pose, place.stance, {}};
-    const auto known = joints_.find(player);
-    const auto joints =
-        known == joints_.end() ? Between<JointSample>{} : between(known->second, seconds);
-    actor.joints = joints.before == nullptr
-                       ? walkingJoints(place.stance, place.way, paceAt(samples, seconds))
-                       : mixed(joints.before->joints, joints.after->joints, joints.share);
+    actor.joints = jointsAt(player, place, seconds);
     tableau.actors.push_back(actor);
   }
   const auto ball = between(ball_, seconds);
@@ -159,9 +180,9 @@ const Actor* Course::holderOf(const Tableau& tableau, double seconds) const {
   for (const Actor& actor : tableau.actors) {
     if (!tableau.ballThere) break;
     const Point2<Robot> ball = robotFromField(actor.pose, tableau.ball);
-    const auto known = joints_.find({actor.team, actor.player});
+    const auto known = frames_.find({actor.team, actor.player});
     const auto felt =
-        known == joints_.end() ? Between<JointSample>{} : between(known->second, seconds);
+        known == frames_.end() ? Between<FrameSample>{} : between(known->second, seconds);
     const bool feels = felt.before != nullptr && felt.before->holds;
     const bool before = std::fabs(ball.x) < kBallAside && ball.y > 0.0 && ball.y < kBallAhead;
     if (!(before || (feels && ball.norm() < 2.0 * kBallAhead)) || ball.norm() >= nearest) continue;

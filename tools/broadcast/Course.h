@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What moved in a match, as functions of time, from the logs of its robots: places of all by the
-// world's truth, joints of those whose log is there, steps that are made up for the others. Without
-// a truth, as in a recording of a real robot, its robot is where it believes to be, and so is the
-// ball. All on the red team's field. Holds no images.
+// world's truth, joints of those whose log is there, steps that are made up for the others and
+// between joints that are far apart in time. Without a truth, as in a recording of a real robot,
+// its robot is where it believes to be, and so is the ball. All on the red team's field. Holds no
+// images.
 #pragma once
 
 #include <functional>
@@ -20,12 +21,17 @@
 
 namespace kelpie::broadcast {
 
-// One robot's joints at a time, and whether it feels the ball under its chin.
+// One robot's joints at a time. A log of which little was kept has them twice a second.
 struct JointSample {
   double seconds = 0.0;
   JointAngles joints;
+};
+
+// How its body feels in each frame.
+struct FrameSample {
+  double seconds = 0.0;
   Stance stance;
-  bool holds = false;
+  bool holds = false;  // the ball, under its chin
 };
 
 // One robot's place at a time, and how far it has come until then.
@@ -48,6 +54,7 @@ class Course {
   void addTruth(const sim::TruthFrame& truth);
   void addEvent(const sim::MatchEvent& event);
   void addJoints(const Player& player, const JointSample& sample);
+  void addFrame(const Player& player, const FrameSample& sample);
   // For a match without a truth.
   void addBelief(const Player& player, double seconds, const WorldModel& world);
 
@@ -62,9 +69,11 @@ class Course {
 
  private:
   void addPlace(const Player& player, PlaceSample sample);
+  JointAngles jointsAt(const Player& player, const PlaceSample& place, double seconds) const;
 
   std::map<Player, std::vector<PlaceSample>> places_;
   std::map<Player, std::vector<JointSample>> joints_;
+  std::map<Player, std::vector<FrameSample>> frames_;
   std::vector<BallSample> ball_;
   std::vector<sim::MatchEvent> events_;
 };

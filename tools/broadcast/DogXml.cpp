@@ -5,7 +5,7 @@
 
 #include "robot/body/Ers7.h"
 #include "robot/body/Legs.h"
-#include "tools/broadcast/StageXml.h"
+#include "tools/broadcast/Player.h"
 
 namespace kelpie::broadcast {
 namespace {

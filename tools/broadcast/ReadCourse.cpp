@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads a course from logs.
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <set>
@@ -57,9 +58,13 @@ class Source {
       course_.addBelief(*player_, output_->time.seconds(),
                         onRedField(output_->world, field_, player_->first));
   }
+  // Sensors that were left out of a log are all 0, which no standing robot's joints are.
   void takeJoints(const FrameInput& input) {
-    course_.addJoints(*player_, {input.time.seconds(), input.sensors.joints, input.stance,
-                                 input.motion.feeling.ballHeld});
+    const double seconds = input.time.seconds();
+    course_.addFrame(*player_, {seconds, input.stance, input.motion.feeling.ballHeld});
+    const auto& angles = input.sensors.joints.angle;
+    if (std::any_of(angles.begin(), angles.end(), [](Angle a) { return a.rad() != 0.0; }))
+      course_.addJoints(*player_, {seconds, input.sensors.joints});
   }
 
   Course& course_;

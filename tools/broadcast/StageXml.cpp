@@ -145,10 +145,6 @@ std::string lightsXml(const body::FieldDescription& field) {
 
 }  // namespace
 
-std::string slotName(TeamColour team, int player) {
-  return (team == TeamColour::red ? "red" : "blue") + std::to_string(player);
-}
-
 std::string stageXml(const body::FieldDescription& field, const std::set<Player>& players,
                      int width, int height) {
   std::string out =

@@ -6,19 +6,11 @@
 
 #include <set>
 #include <string>
-#include <utility>
 
 #include "robot/body/FieldDescription.h"
-#include "robot/core/types/FrameInput.h"
+#include "tools/broadcast/Player.h"
 
 namespace kelpie::broadcast {
-
-using Player = std::pair<TeamColour, int>;
-constexpr std::size_t kRobotsOfTeam = 4;
-
-// "red1": the body of a robot; its joints are "red1_free" and "red1_<joint index>".
-std::string slotName(TeamColour team, int player);
-constexpr std::size_t kHinges = 16;  // the head's four and the legs' twelve
 
 // `width` and `height` of the pictures that are made of it, in pixels. Every robot costs time in
 // every picture, seen or not.
