@@ -30,6 +30,10 @@ export class Cursor {
     for (const listener of this.listeners) listener(clamped);
   }
 
+  get moving(): boolean {
+    return this.playing || this.following;
+  }
+
   // By a person, who with it leaves the live end but where it is the end.
   seek(time: number): void {
     this.following = this.following && time >= this.to - FRAME_US / 2;

@@ -94,6 +94,8 @@ function follow(studio: Studio, panel: LivePanel | undefined): void {
       studio.timeLine.redrawSoon();
     }
     if (studio.moment) panel?.show(studio.moment);
+    const first = match.robots[0];
+    if (first && studio.selected === "") studio.select(first.key);
     const left = cursor.to - cursor.time;
     if (cursor.following && left > 1000)
       cursor.set(left > 1e6 ? cursor.to : cursor.time + 0.25 * left);

@@ -27,6 +27,8 @@ import { TimeAxis } from "./timeAxis";
 
 const NO_FIELD = "No log describes a field: nothing can be drawn of it.";
 
+const PANELS_EVERY = 110; // ms while time runs: nobody reads faster, and text costs much to draw
+
 export class Studio {
   readonly cursor: Cursor;
   readonly axis: TimeAxis;
@@ -48,6 +50,7 @@ export class Studio {
   private readonly list = new RobotList((key) => this.select(key));
   private readonly controls: FieldControls;
   private readonly theme: Theme;
+  private panelsAt = 0;
   private asked = 0;
   private hashTimer = 0;
 
@@ -221,8 +224,17 @@ export class Studio {
 
   private show(moment: Moment): void {
     this.moment = moment;
-    const robot = moment.robots.find((r) => r.key === this.selected);
     this.field?.show(moment);
+    this.onShown();
+    this.keepAddress();
+    const now = performance.now();
+    if (this.cursor.moving && now - this.panelsAt < PANELS_EVERY) return;
+    this.panelsAt = now;
+    this.showPanels(moment);
+  }
+
+  private showPanels(moment: Moment): void {
+    const robot = moment.robots.find((r) => r.key === this.selected);
     this.title.show(moment);
     this.list.show(moment.robots, this.selected);
     this.reasons.show(robot);
@@ -230,8 +242,6 @@ export class Studio {
       this.match.robots.find((r) => r.key === this.selected),
       moment.time,
     );
-    this.onShown();
-    this.keepAddress();
   }
 
   robotsChanged(): void {

@@ -96,7 +96,7 @@ function obstacles(world: Structure, map: MapFrame, ink: Ribbons): void {
         map.point(place),
         CELL - 1,
         OBSTACLE_COLOUR,
-        Math.min(0.75, 0.1 + points / FULL_CELL),
+        Math.min(0.5, 0.08 + (0.5 * points) / FULL_CELL),
       );
   }
 }

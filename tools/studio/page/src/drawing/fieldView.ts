@@ -21,6 +21,7 @@ export interface Shown {
   beliefs: number; // lines, ellipses and squares of beliefs
 }
 
+const JUMP = 1.5e6; // us
 const AFTER_PAUSE = 0.1; // s; a longer time between two pictures is a pause, not a slow machine
 
 export class FieldView {
@@ -71,6 +72,7 @@ export class FieldView {
   }
 
   show(moment: Moment): void {
+    if (this.moment && Math.abs(moment.time - this.moment.time) > JUMP) this.views.jump();
     this.moment = moment;
     this.stage.invalidate();
   }
@@ -188,7 +190,7 @@ export class FieldView {
       x: shown.pose.x - 7 * Math.cos(shown.pose.heading),
       y: shown.pose.y - 7 * Math.sin(shown.pose.heading),
     };
-    this.ink.ring(middle, 17, 1.6, 0xffffff, 0.9);
+    this.ink.ring(middle, 17, 0.8, 0xffffff, 0.85);
     if (this.layers.has("frustum")) this.frustum(shown);
   }
 

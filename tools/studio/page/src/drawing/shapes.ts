@@ -2,18 +2,18 @@
 // Geometries that are put together of simple parts with a colour each, so that one draw call shows
 // them all.
 import * as THREE from "three";
-import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { mergeGeometries, mergeVertices } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { Shape } from "../model/body";
 
-export function coloured(geometry: THREE.BufferGeometry, colour: number): THREE.BufferGeometry {
-  const plain = geometry.index ? geometry.toNonIndexed() : geometry;
-  plain.deleteAttribute("uv");
+export function coloured(from: THREE.BufferGeometry, colour: number): THREE.BufferGeometry {
+  from.deleteAttribute("uv");
+  const geometry = from.index ? from : mergeVertices(from);
   const c = new THREE.Color(colour);
-  const count = plain.getAttribute("position").count;
+  const count = geometry.getAttribute("position").count;
   const values = new Float32Array(3 * count);
   for (let i = 0; i < count; ++i) c.toArray(values, 3 * i);
-  plain.setAttribute("color", new THREE.BufferAttribute(values, 3));
-  return plain;
+  geometry.setAttribute("color", new THREE.BufferAttribute(values, 3));
+  return geometry;
 }
 
 export function merged(parts: THREE.BufferGeometry[]): THREE.BufferGeometry {

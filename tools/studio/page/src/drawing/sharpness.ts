@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How fine the scene is drawn: whole while it rests, coarser while it moves and the machine cannot
 // keep up otherwise. It goes by the time from one picture to the next.
-const STEPS = [1, 0.8, 0.65, 0.5];
+const STEPS = [1, 0.85, 0.7, 0.55];
 const SLOW = 36; // ms
 const FAST = 18; // ms
 const PAUSE = 260; // ms; what comes later belongs to no movement
@@ -39,3 +39,13 @@ export class Sharpness {
 }
 
 export const RESTS_AFTER = PAUSE;
+
+// Whether the browser draws without a graphics card. Then smooth edges are left to the picture at
+// rest, which is drawn larger.
+export function drawsInSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const names = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = gl && names ? String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}

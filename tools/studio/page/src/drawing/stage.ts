@@ -2,7 +2,7 @@
 // The 3D scene: renderer, light, sky, floor. It draws only when something has changed, as every
 // frame costs much where no graphics card helps. x and y are the field's, z is up, all in cm.
 import * as THREE from "three";
-import { RESTS_AFTER, Sharpness } from "./sharpness";
+import { RESTS_AFTER, Sharpness, drawsInSoftware } from "./sharpness";
 
 export interface Palette {
   skyTop: number;
@@ -27,6 +27,7 @@ export class Stage {
   private readonly sky: THREE.Mesh;
   private readonly floor: THREE.Mesh;
   private wanted = false;
+  private readonly software = drawsInSoftware();
   private readonly sharpness = new Sharpness();
   private size = { width: 1, height: 1 };
   private scale = 1;
@@ -36,11 +37,7 @@ export class Stage {
     canvas: HTMLCanvasElement,
     private readonly beforeDrawing: () => void,
   ) {
-    this.renderer = new THREE.WebGLRenderer({
-      canvas,
-      antialias: true,
-      powerPreference: "high-performance",
-    });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.software });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = true;
@@ -112,10 +109,10 @@ export class Stage {
   private draw(): void {
     this.setScale(this.sharpness.moving(performance.now()));
     this.render();
-    if (!this.sharpness.coarse) return;
+    if (!this.sharpness.coarse && !this.software) return;
     window.clearTimeout(this.rest);
     this.rest = window.setTimeout(() => {
-      this.setScale(1);
+      this.setScale(this.software ? 1.5 : 1);
       this.render();
     }, RESTS_AFTER);
   }

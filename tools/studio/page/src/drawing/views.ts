@@ -25,6 +25,7 @@ export class Views {
   private readonly target = new THREE.Vector3();
   private readonly play = new THREE.Vector2(); // what broadcast follows, smoothed
   private started = false;
+  private everPlaced = false;
 
   constructor(
     private readonly camera: THREE.PerspectiveCamera,
@@ -51,17 +52,22 @@ export class Views {
     this.onTakenOver();
   }
 
+  // After a jump in time the view is where it belongs, without a way there.
+  jump(): void {
+    this.started = false;
+  }
+
   setMode(mode: ViewName): void {
     this.mode = mode;
     this.controls.enabled = true;
     this.controls.target.copy(this.target);
     this.camera.up.copy(UP);
-    if (mode === "orbit" && this.started) this.controls.update();
+    if (mode === "orbit" && this.everPlaced) this.controls.update();
   }
 
   // Moves towards the goal; true while there is some way left.
   step(robot: ShownRobot | undefined, ball: Point | undefined, seconds: number): boolean {
-    if (this.mode === "orbit" && this.started) return false;
+    if (this.mode === "orbit" && this.everPlaced) return false;
     const goal = this.goalOf(robot, ball, seconds);
     const rigid = this.mode === "eye" || !this.started;
     const share = rigid ? 1 : 1 - Math.exp(-seconds / (this.mode === "broadcast" ? 0.5 : 0.25));
@@ -72,7 +78,7 @@ export class Views {
     this.camera.updateProjectionMatrix();
     this.camera.lookAt(this.target);
     this.controls.target.copy(this.target);
-    this.started = true;
+    this.started = this.everPlaced = true;
     return (
       this.camera.position.distanceTo(goal.position) > 0.3 ||
       this.target.distanceTo(goal.target) > 0.3
