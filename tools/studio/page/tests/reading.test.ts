@@ -119,7 +119,7 @@ async function logOf(times: number[]): Promise<LogFile> {
 }
 
 describe("a log", () => {
-  test("answers before it is read that it does not know, and then with both neighbours", async () => {
+  test("knows nothing before it is read, and then both neighbours", async () => {
     const stream = (await logOf([100, 200, 300, 400, 500])).stream("/thing")!;
     expect(stream.around(250)).toBeUndefined();
     await stream.load(250);

@@ -60,7 +60,8 @@ export function askCompared(studio: Studio, background: Background, logs: OpenLo
     studio.notes.say(
       first === undefined
         ? `All ${frames} frames that both logs have are the same.${more}`
-        : `${times.length} of ${frames} frames differ, the first at ${clockOf(first / 1e6, true)} ` +
+        : `${times.length} of ${frames} frames differ, the first at ` +
+            `${clockOf(first / 1e6, true)} ` +
             `(key d).${more}`,
     );
   };

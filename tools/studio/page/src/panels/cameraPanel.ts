@@ -97,7 +97,8 @@ export class CameraPanel {
     text(
       this.caption,
       `${robot.key.replace("-", " ")}, frame ` +
-        `${numberAt(message.value, "frame") ?? "?"}${age > 0.05 ? `, ${age.toFixed(1)} s ago` : ""}`,
+        `${numberAt(message.value, "frame") ?? "?"}` +
+        (age > 0.05 ? `, ${age.toFixed(1)} s ago` : ""),
     );
     const key = `${robot.key} ${message.time} ${this.plane} ${this.showRefused}`;
     if (key === this.drawnKey) return;

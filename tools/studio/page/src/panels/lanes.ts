@@ -124,7 +124,8 @@ export class Lanes {
     this.chosen = segment;
     const who =
       `${TEAM_NAMES[robot.team]} ${robot.player}, ${name}, ` +
-      `${clockOf(segment.from / 1e6, true)} for ${((segment.to - segment.from) / 1e6).toFixed(1)} s`;
+      `${clockOf(segment.from / 1e6, true)} for ` +
+      `${((segment.to - segment.from) / 1e6).toFixed(1)} s`;
     this.tip.replaceChildren(make("small", {}, who), make("p", {}, segment.why));
     this.tip.hidden = false;
     this.tip.style.left = `${Math.min(x + 12, innerWidth - this.tip.offsetWidth - 8)}px`;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Orders to a live match: pause, step, speed, and where ball and robots are put, typed or dragged on
-// the field. What the match refuses is said beside.
+// Orders to a live match: pause, step, speed, and where ball and robots are put, typed or dragged
+// on the field. What the match refuses is said beside.
 import { button, make, text } from "../app/dom";
 import { TEAM_NAMES, type Point, type Team } from "../model/field";
 import type { Moment } from "../model/moment";

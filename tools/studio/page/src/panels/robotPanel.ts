@@ -126,11 +126,9 @@ function numbersOf(robot: RobotMoment): [string, string][] {
       ? `${shortNumber(number("world.ball.distance") ?? 0)} cm, seen ` +
         `${shortNumber(number("world.ball.secondsSinceSeen") ?? 0)} s ago`
       : "none";
-  const away =
-    robot.truth && robot.belief
-      ? `, ${shortNumber(Math.hypot(robot.truth.x - robot.belief.x, robot.truth.y - robot.belief.y))}` +
-        " cm off"
-      : "";
+  const { truth, belief } = robot;
+  const wrong = truth && belief ? Math.hypot(truth.x - belief.x, truth.y - belief.y) : undefined;
+  const away = wrong === undefined ? "" : `, ${shortNumber(wrong)} cm off`;
   const time = number("command.team.timeToBall") ?? 1000;
   return [
     ["Role", roleName(number("command.team.role"))],

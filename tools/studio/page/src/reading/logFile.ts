@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A log behind an address: its summary at once, its chunks when they are needed, the last ones kept.
-// Fails with a sentence where it is no log with an index.
+// A log behind an address: its summary at once, its chunks when they are needed, the last ones
+// kept. Fails with a sentence where it is no log with an index.
 import { McapIndexedReader } from "@mcap/core";
 import { parseChunk, type Chunk } from "./chunk";
 import { Decoder, typeOf, type MemberType } from "./decoder";

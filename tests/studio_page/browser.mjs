@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page's tests share: a match that is played once, the studio's server, and a browser in
+// which every error of the page's console counts. KELPIE is the program, KELPIE_MATCH a folder with
+// logs of a match where there is one already.
+import { execFile, spawn } from "node:child_process";
+import { mkdtempSync, readdirSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { promisify } from "node:util";
+
+const page = new URL("../../tools/studio/page/package.json", import.meta.url);
+const { chromium } = createRequire(page)("playwright-core");
+const kelpie = process.env.KELPIE ?? "kelpie";
+const [program, ...words] = kelpie.split(" ");
+
+export const folder = mkdtempSync(join(tmpdir(), "kelpie-page-"));
+process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
+
+let match;
+// The logs of a short match of two robots each side.
+export async function matchLogs() {
+  match ??= process.env.KELPIE_MATCH ?? await playMatch();
+  return readdirSync(match).filter((name) => name.endsWith(".mcap")).map((n) => join(match, n));
+}
+
+async function playMatch() {
+  const out = join(folder, "match");
+  await promisify(execFile)(program, [...words, "play", "--robots", "2v2", "--seconds", "12",
+    "--fast", "--seed", "3", "--logs", "all", "--no-film", "--out", out]);
+  return out;
+}
+
+// Starts the program, and answers when it has told its address.
+function started(test, args) {
+  const server = spawn(program, [...words, ...args]);
+  test.after(() => server.kill());
+  let said = "";
+  return new Promise((found, failed) => {
+    const take = (bytes) => {
+      said += bytes;
+      const address = /http:\/\/[\d.:]+/.exec(said);
+      if (address) found({ address: `${address[0]}/`, end: () => server.kill() });
+    };
+    server.stdout.on("data", take);
+    server.stderr.on("data", take);
+    server.on("exit", (code) => failed(new Error(`the studio ended with ${code}: ${said}`)));
+  });
+}
+
+// The address of a studio that is stopped after the test.
+export async function studio(test, sources) {
+  return (await started(test, ["studio", "--port", "0", ...sources])).address;
+}
+
+// A match of one robot each side that is being played until the test ends.
+export function playing(test, args) {
+  return started(test, ["play", "--studio", "--port", "0", "--robots", "1v1", "--fast", "--seed",
+    "3", ...args]);
+}
+
+const QUIET = ["--no-sandbox", "--use-angle=swiftshader", "--use-gl=angle",
+  "--enable-unsafe-swiftshader", "--disable-background-networking", "--disable-component-update",
+  "--disable-sync", "--no-first-run", "--disable-quic"];
+
+// A page of the size that it is made for, and the errors that it has had.
+export async function browser(test, { width = 1280, height = 720, dark = false } = {}) {
+  const program = await chromium.launch({ executablePath: "/usr/bin/chromium", args: QUIET });
+  test.after(() => program.close());
+  const view = await program.newPage({ viewport: { width, height },
+    colorScheme: dark ? "dark" : "light" });
+  const errors = [];
+  view.on("console", (said) => said.type() === "error" && errors.push(said.text()));
+  view.on("pageerror", (error) => errors.push(error.message));
+  return { view, errors };
+}
+
+export const report = (view) => view.evaluate(() => {
+  const now = window.__kelpie;
+  return now && { openMs: now.openMs, time: now.time, counts: now.counts, notes: [...now.notes] };
+});
+
+// Until the report is as wanted; fails with the last one after half a minute.
+export async function until(view, wanted) {
+  let last;
+  for (let i = 0; i < 300; ++i) {
+    last = await report(view);
+    if (last && wanted(last)) return last;
+    await view.waitForTimeout(100);
+  }
+  throw new Error(`the page does not come to that: ${JSON.stringify(last)}`);
+}
+
+export async function open(test, sources, { hash = "", search = "", ...size } = {}) {
+  const address = await studio(test, sources);
+  const { view, errors } = await browser(test, size);
+  await view.goto(`${address}${search}${hash}`);
+  return { view, errors, address };
+}
