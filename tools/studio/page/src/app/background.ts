@@ -58,6 +58,7 @@ export class Background {
 export function startFacts(studio: Studio, logs: SessionLog[], truthLog: number): Background {
   const background = new Background(studio);
   let near = studio.cursor.time;
+  let busy = false;
   background.ask({
     ask: "facts",
     truthLog,
@@ -65,9 +66,11 @@ export function startFacts(studio: Studio, logs: SessionLog[], truthLog: number)
     logs: logs.map(({ url, bytes }) => ({ url: new URL(url, location.href).href, bytes })),
   });
   studio.cursor.onChange((time) => {
-    if (background.factsDone || Math.abs(time - near) < 2e6) return;
+    const far = Math.abs(time - near) >= 2e6;
+    if (background.factsDone || (!far && busy === studio.cursor.playing)) return;
     near = time;
-    background.ask({ ask: "near", time });
+    busy = studio.cursor.playing;
+    background.ask({ ask: "near", time, busy });
   });
   addPlots(studio, background);
   studio.robotsChanged();

@@ -9,7 +9,7 @@ import type { Moment, RobotMoment } from "../model/moment";
 import { drawBeliefs, type Layer } from "./beliefs";
 import { NameTags } from "./nameTags";
 import { Ribbons } from "./ribbons";
-import { ContactShadows, RobotMeshes, type ShownRobot } from "./robots";
+import { ContactShadows, NumberPlates, RobotMeshes, type ShownRobot } from "./robots";
 import { Stage } from "./stage";
 import { makeStadium, type Stadium } from "./stadium";
 import { VIEWS, Views, cameraPlace, type ViewName } from "./views";
@@ -36,6 +36,7 @@ export class FieldView {
   private readonly stadium: Stadium;
   private readonly real: RobotMeshes;
   private readonly ghosts: RobotMeshes;
+  private readonly plates: NumberPlates;
   private readonly contacts = new ContactShadows();
   private readonly ink = new Ribbons();
   private readonly ball: THREE.Mesh;
@@ -57,6 +58,7 @@ export class FieldView {
     this.stadium = makeStadium(field);
     this.real = new RobotMeshes(this.tree, false);
     this.ghosts = new RobotMeshes(this.tree, true);
+    this.plates = new NumberPlates(this.tree);
     this.ball = makeBall();
     this.tags = new NameTags(over, onPick);
     this.stage.scene.add(
@@ -65,6 +67,7 @@ export class FieldView {
       this.ghosts.group,
       this.ball,
       this.contacts.mesh,
+      this.plates.group,
       this.ink.mesh,
     );
     this.stage.lightField(field.width, field.length);
@@ -100,6 +103,7 @@ export class FieldView {
     return {
       pose: place,
       team: robot.team,
+      player: robot.player,
       joints: robot.joints ?? this.standing(),
       stance: robot.stance,
       hideHead: this.views.mode === "eye" && robot.key === this.selected,
@@ -151,6 +155,7 @@ export class FieldView {
       : [];
     this.real.show(real);
     this.ghosts.show(ghosts);
+    this.plates.show(real);
     this.contacts.show(this.layers.has("shadows") ? [] : real, moment.ball);
     this.shown.robots = real.length;
     this.shown.ghosts = ghosts.length;

@@ -13,6 +13,7 @@ const MOST = 8;
 export interface ShownRobot {
   pose: Pose;
   team: Team;
+  player: number;
   joints: readonly number[];
   stance: Stance;
   hideHead: boolean;
@@ -90,6 +91,69 @@ export class RobotMeshes {
 export function robotMatrix(pose: Pose, out = new THREE.Matrix4()): THREE.Matrix4 {
   out.makeRotationZ(pose.heading - Math.PI / 2);
   return out.setPosition(pose.x, pose.y, 0);
+}
+
+// The player's number on its back, readable from above and behind.
+export class NumberPlates {
+  readonly group = new THREE.Group();
+  private readonly meshes: THREE.InstancedMesh[];
+  private readonly back: THREE.Matrix4; // in the frame of the body's first link
+  private readonly places: THREE.Matrix4[] = [];
+  private readonly matrix = new THREE.Matrix4();
+
+  constructor(private readonly tree: BodyTree) {
+    const shapes = tree.links[0]?.shapes ?? [];
+    const top = Math.max(0, ...shapes.map((s) => s.centre[2] + s.size[2] / 2));
+    const along = shapes[0]?.centre[1] ?? 0;
+    this.back = new THREE.Matrix4().makeTranslation(0, along, top + 0.12);
+    const material = new THREE.MeshBasicMaterial({
+      map: digits(),
+      transparent: true,
+      depthWrite: false,
+    });
+    this.meshes = [0, 1, 2, 3].map((i) => {
+      const mesh = new THREE.InstancedMesh(plate(i), material, MOST);
+      mesh.frustumCulled = false;
+      this.group.add(mesh);
+      return mesh;
+    });
+  }
+
+  show(robots: readonly ShownRobot[]): void {
+    for (const mesh of this.meshes) mesh.count = 0;
+    for (const robot of robots.slice(0, MOST)) {
+      const mesh = this.meshes[robot.player - 1];
+      if (!mesh || this.tree.links.length === 0) continue;
+      this.tree.place(robot.joints, robot.stance, this.places);
+      robotMatrix(robot.pose, this.matrix).multiply(this.places[0]!).multiply(this.back);
+      mesh.setMatrixAt(mesh.count++, this.matrix);
+      mesh.instanceMatrix.needsUpdate = true;
+    }
+  }
+}
+
+const PLATE = 6.4; // cm
+
+function plate(i: number): THREE.BufferGeometry {
+  const geometry = new THREE.PlaneGeometry(PLATE, PLATE);
+  const uv = geometry.getAttribute("uv");
+  for (let k = 0; k < uv.count; ++k) uv.setX(k, (uv.getX(k) + i) / 4);
+  return geometry;
+}
+
+function digits(): THREE.Texture {
+  const canvas = document.createElement("canvas");
+  canvas.width = 256;
+  canvas.height = 64;
+  const c = canvas.getContext("2d")!;
+  c.font = "bold 58px system-ui, sans-serif";
+  c.textAlign = "center";
+  c.textBaseline = "middle";
+  c.fillStyle = "#ffffff";
+  for (let i = 0; i < 4; ++i) c.fillText(String(i + 1), 64 * i + 32, 35);
+  const texture = new THREE.CanvasTexture(canvas);
+  texture.colorSpace = THREE.SRGBColorSpace;
+  return texture;
 }
 
 // Soft dark spots where robots and ball touch the carpet: they tell where something stands at a

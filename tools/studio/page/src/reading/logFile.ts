@@ -148,14 +148,19 @@ export class FileStream implements Stream {
     return { before: before && this.message(before), after: after && this.message(after) };
   }
 
+  // The neighbours of a chunk are read only where the time is at its edge.
   async load(time: number): Promise<void> {
     const at = this.placeAt(time);
-    if (this.places.length === 0) return;
-    await Promise.all(
-      [at - 1, at, at + 1]
-        .filter((i) => this.places[i] !== undefined)
-        .map((i) => this.log.chunk(this.places[i]!)),
-    );
+    await this.loadPlace(at);
+    const here = this.messages(at) ?? [];
+    const i = lastNotAfter(here.length, (k) => here[k]!.time, time);
+    if (i < 0) await this.loadPlace(at - 1);
+    if (i + 1 >= here.length) await this.loadPlace(at + 1);
+  }
+
+  private async loadPlace(i: number): Promise<void> {
+    const index = this.places[i];
+    if (index !== undefined) await this.log.chunk(index);
   }
 
   private place(i: number) {

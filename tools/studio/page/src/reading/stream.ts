@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One topic's messages over time, from a file or from a match that is being played. `around`
-// answers at once with what is in memory: undefined while the part of the time is not, then `load` gets it.
+// answers at once with what is in memory: undefined while the part of the time is not, then `load`
+// gets it.
 import { Decoder, type MemberType, type Structure } from "./decoder";
 
 export interface Message {

@@ -8,7 +8,7 @@ export interface WorkerLog {
 }
 export type Question =
   | { ask: "facts"; logs: WorkerLog[]; truthLog: number; near: number }
-  | { ask: "near"; time: number }
+  | { ask: "near"; time: number; busy: boolean } // busy: the page needs the machine
   | { ask: "series"; id: number; log: number; topic: string; path: string }
   | { ask: "compare"; a: number; b: number };
 

@@ -33,12 +33,17 @@ interface Task {
 
 const FRAME_END = 33.4e3; // us, of a frame that is followed by another
 
+const HOLD = 350; // ms after the cursor went elsewhere
+const BUSY_PAUSE = 25;
+
 const opened = new Map<number, Promise<LogFile>>();
 const configs = new Map<number, LogConfig | undefined>();
 const decoders = new Map<string, Decoder>();
 let logs: WorkerLog[] = [];
 let truthLog = -1;
 let near = 0;
+let pause = 0; // ms between two parts of a log
+let holdUntil = 0; // while the page reads for itself
 let tasks: Task[] = [];
 let all = 0;
 
@@ -149,6 +154,8 @@ async function readFacts(): Promise<void> {
   }
   all = tasks.length;
   while (tasks.length > 0) {
+    const wait = Math.max(pause, holdUntil - performance.now());
+    if (wait > 0) await new Promise((done) => setTimeout(done, wait));
     try {
       await work(takeNearest());
     } catch (error) {
@@ -163,7 +170,11 @@ function wordsOf(error: unknown): string {
 }
 
 async function answer(question: Question): Promise<void> {
-  if (question.ask === "near") near = question.time;
+  if (question.ask === "near") {
+    near = question.time;
+    pause = question.busy ? BUSY_PAUSE : 0;
+    holdUntil = performance.now() + HOLD;
+  }
   if (question.ask === "facts") {
     ({ logs, truthLog, near } = question);
     await readFacts();
