@@ -4,6 +4,7 @@ import { bodyOf, type Body } from "../model/body";
 import { matchOf, readConfig, type OpenLog } from "../model/match";
 import { fetchJson, type Session, type SessionLog } from "../model/session";
 import { HttpFile } from "../reading/httpFile";
+import { Types } from "../reading/decoder";
 import { LogFile } from "../reading/logFile";
 import { Notes } from "../panels/notes";
 import { comparedOf } from "./address";
@@ -16,10 +17,15 @@ import { Studio } from "./studio";
 
 const wordsOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
-async function openLog(log: SessionLog, place: number, notes: Notes): Promise<OpenLog[]> {
+async function openLog(
+  log: SessionLog,
+  place: number,
+  types: Types,
+  notes: Notes,
+): Promise<OpenLog[]> {
   for (const note of log.notes) notes.say(`${log.name}: ${note}`);
   try {
-    const file = await LogFile.open(new HttpFile(log.url, log.bytes));
+    const file = await LogFile.open(new HttpFile(log.url, log.bytes), types);
     if (file.chunks.length === 0) notes.say(`${log.name} holds no messages.`);
     return [{ name: log.name, place, file, config: await readConfig(file) }];
   } catch (error) {
@@ -46,12 +52,13 @@ async function start(notes: Notes): Promise<void> {
       notes.say(`The robot's body is not known, so no robot is drawn: ${wordsOf(error)}`, "error");
       return { links: [] };
     });
+  const types = new Types();
   const live = session.live;
   const asked = new URLSearchParams(location.search);
   if (live && live.playing !== false && !asked.has("logs"))
     return startLive(session, live, body, notes);
   const logs = (
-    await Promise.all(session.logs.map((log, place) => openLog(log, place, notes)))
+    await Promise.all(session.logs.map((log, place) => openLog(log, place, types, notes)))
   ).flat();
   if (logs.length === 0) {
     notes.say("There is no log to show. Start kelpie studio with the logs of a match.");

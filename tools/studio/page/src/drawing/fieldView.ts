@@ -10,6 +10,7 @@ import { drawBeliefs, type Layer } from "./beliefs";
 import { NameTags } from "./nameTags";
 import { Ribbons } from "./ribbons";
 import { ContactShadows, NumberPlates, RobotMeshes, type ShownRobot } from "./robots";
+import { coloured } from "./shapes";
 import { Stage } from "./stage";
 import { makeStadium, type Stadium } from "./stadium";
 import { VIEWS, Views, cameraPlace, type ViewName } from "./views";
@@ -21,6 +22,7 @@ export interface Shown {
   beliefs: number; // lines, ellipses and squares of beliefs
 }
 
+const BALL_PAINT = 0xff6a13;
 const JUMP = 1.5e6; // us
 const AFTER_PAUSE = 0.1; // s; a longer time between two pictures is a pause, not a slow machine
 
@@ -227,8 +229,8 @@ export class FieldView {
 function makeBall(): THREE.Mesh {
   const radius = names.numbers["kBallRadius"]!;
   const ball = new THREE.Mesh(
-    new THREE.SphereGeometry(radius, 24, 16),
-    new THREE.MeshStandardMaterial({ color: 0xff6a13, roughness: 0.45 }),
+    coloured(new THREE.SphereGeometry(radius, 24, 16), BALL_PAINT),
+    new THREE.MeshLambertMaterial({ vertexColors: true }),
   );
   ball.castShadow = true;
   return ball;

@@ -101,9 +101,9 @@ export class Views {
     const near = this.camera.aspect > 2 ? 0.9 : 1;
     return {
       position: new THREE.Vector3(
-        -0.56 * width * near,
+        -0.58 * width * near,
         length / 2 + 0.5 * (along - length / 2),
-        0.56 * width,
+        0.6 * width,
       ),
       target: new THREE.Vector3(width / 2 + 0.22 * (this.play.x - width / 2), along, 0),
       fov: 40,

@@ -43,6 +43,18 @@ const NUMBERS: Record<string, Reading> = {
 };
 const texts = new TextDecoder();
 
+// Types by the text of their definition: the logs of a match hold the same ones, and to parse a text
+// takes tens of milliseconds.
+export class Types {
+  private readonly known = new Map<string, MemberType>();
+
+  of(schema: string): MemberType {
+    let type = this.known.get(schema);
+    if (!type) this.known.set(schema, (type = typeOf(schema)));
+    return type;
+  }
+}
+
 // The type of the first definition, with all within it.
 export function typeOf(schema: string): MemberType {
   const definitions = parse(schema);

@@ -3,7 +3,7 @@
 // kept. Fails with a sentence where it is no log with an index.
 import { McapIndexedReader } from "@mcap/core";
 import { parseChunk, type Chunk } from "./chunk";
-import { Decoder, typeOf, type MemberType } from "./decoder";
+import { Decoder, Types, type MemberType } from "./decoder";
 import type { Readable } from "./httpFile";
 import { LazyMessage, lastNotAfter, type Around, type Message, type Stream } from "./stream";
 
@@ -26,18 +26,18 @@ export interface Channel {
 export class LogFile {
   readonly channels = new Map<string, Channel>(); // by topic
   readonly chunks: ChunkPlace[];
-  private readonly types = new Map<string, MemberType>();
   private readonly cache = new Map<number, Chunk>(); // least recently used first
   private readonly coming = new Map<number, Promise<Chunk>>();
   private keptBytes = 0;
 
-  static async open(readable: Readable): Promise<LogFile> {
-    return new LogFile(readable, await McapIndexedReader.Initialize({ readable }));
+  static async open(readable: Readable, types = new Types()): Promise<LogFile> {
+    return new LogFile(readable, await McapIndexedReader.Initialize({ readable }), types);
   }
 
   private constructor(
     private readonly readable: Readable,
     reader: McapIndexedReader,
+    private readonly types: Types,
   ) {
     const texts = new TextDecoder();
     for (const { id, topic, schemaId } of reader.channelsById.values()) {
@@ -66,11 +66,7 @@ export class LogFile {
   typeOf(topic: string): MemberType | undefined {
     const channel = this.channels.get(topic);
     if (!channel) return undefined;
-    const before = this.types.get(topic);
-    if (before) return before;
-    const type = typeOf(channel.schema);
-    this.types.set(topic, type);
-    return type;
+    return this.types.of(channel.schema);
   }
 
   // Where the chunk is in memory, that; it counts as used.

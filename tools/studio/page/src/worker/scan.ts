@@ -3,7 +3,7 @@
 // nearest to the cursor first, numbers for plots, and the comparison of two logs.
 import { LogFile } from "../reading/logFile";
 import { HttpFile } from "../reading/httpFile";
-import { Decoder, type Structure, type Wanted } from "../reading/decoder";
+import { Decoder, Types, type Structure, type Wanted } from "../reading/decoder";
 import { INPUT_TOPICS, OUTPUT_TOPIC, readConfig, robotKey, type LogConfig } from "../model/match";
 import {
   INPUT_WANTED,
@@ -36,6 +36,7 @@ const FRAME_END = 33.4e3; // us, of a frame that is followed by another
 const HOLD = 350; // ms after the cursor went elsewhere
 const BUSY_PAUSE = 25;
 
+const types = new Types();
 const opened = new Map<number, Promise<LogFile>>();
 const configs = new Map<number, LogConfig | undefined>();
 const decoders = new Map<string, Decoder>();
@@ -55,7 +56,7 @@ function open(place: number): Promise<LogFile> {
   let file = opened.get(place);
   if (!file) {
     const { url, bytes } = logs[place]!;
-    opened.set(place, (file = LogFile.open(new HttpFile(url, bytes))));
+    opened.set(place, (file = LogFile.open(new HttpFile(url, bytes), types)));
   }
   return file;
 }
