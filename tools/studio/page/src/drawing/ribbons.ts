@@ -24,7 +24,6 @@ export class Ribbons {
         transparent: true,
         side: THREE.DoubleSide,
         depthWrite: false,
-        fog: false,
         polygonOffset: true,
         polygonOffsetFactor: -4,
         polygonOffsetUnits: -4,

@@ -9,6 +9,7 @@ import { coloured, merged, shapeGeometry } from "./shapes";
 export const TEAM_COLOURS = [0xe0342b, 0x2f6fe4] as const;
 const PAINT = { shell: 0xf1f2f4, dark: 0x33363d, uniform: 0xffffff };
 const MOST = 8;
+const WHITE = new THREE.Color(0xffffff);
 
 export interface ShownRobot {
   pose: Pose;
@@ -60,17 +61,21 @@ export class RobotMeshes {
     mesh.frustumCulled = false;
     mesh.castShadow = !ghost;
     mesh.receiveShadow = false;
+    // All parts have a colour of their own, white where the uniform is not, so that one shader draws
+    // them.
+    for (let i = 0; i < MOST; ++i) mesh.setColorAt(i, WHITE);
     this.parts.push({ link, mesh, uniform: uniform || ghost });
     this.group.add(mesh);
   }
 
   show(robots: readonly ShownRobot[]): void {
     const count = Math.min(robots.length, MOST);
+    this.group.visible = count > 0;
     for (const part of this.parts) part.mesh.count = count;
     for (let i = 0; i < count; ++i) this.place(robots[i]!, i);
-    for (const { mesh } of this.parts) {
+    for (const { mesh, uniform } of this.parts) {
       mesh.instanceMatrix.needsUpdate = true;
-      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+      if (uniform && mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
     }
   }
 
@@ -167,7 +172,6 @@ export class ContactShadows {
       map: spot(),
       transparent: true,
       depthWrite: false,
-      fog: false,
       polygonOffset: true,
       polygonOffsetFactor: -3,
       polygonOffsetUnits: -3,

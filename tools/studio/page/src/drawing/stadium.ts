@@ -42,7 +42,7 @@ function carpet(field: Field): THREE.Mesh {
   texture.repeat.set(width / 60, length / 60);
   const mesh = new THREE.Mesh(
     new THREE.PlaneGeometry(width, length),
-    new THREE.MeshLambertMaterial({ map: texture, fog: false }),
+    new THREE.MeshLambertMaterial({ map: texture }),
   );
   mesh.renderOrder = 2;
   mesh.position.set(field.width / 2, field.length / 2, 0);
@@ -78,10 +78,10 @@ function paintedLines(field: Field): THREE.Mesh {
     merged(parts.map((p) => coloured(p, COLOURS.white))),
     new THREE.MeshBasicMaterial({
       vertexColors: true,
+      side: THREE.DoubleSide, // as the backdrops: one shader for all that is without light
       polygonOffset: true,
       polygonOffsetFactor: -2,
       polygonOffsetUnits: -2,
-      fog: false,
     }),
   );
   mesh.renderOrder = 1;

@@ -38,6 +38,8 @@ export class Stage {
     private readonly beforeDrawing: () => void,
   ) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.software });
+    // To ask for a shader's errors waits until it is made, one after the other.
+    this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = true;
@@ -143,7 +145,6 @@ function backdrop(geometry: THREE.BufferGeometry, order: number): THREE.Mesh {
     new THREE.MeshBasicMaterial({
       vertexColors: true,
       side: THREE.DoubleSide,
-      fog: false,
       depthWrite: order === FLOOR_ORDER,
     }),
   );
