@@ -58,7 +58,7 @@ TEST_F(Followed, AMatchThatEndsIsToldAndTheNextBeginsAnew) {
   EXPECT_EQ(viewer.said("unadvertise").size(), 1U);
 }
 
-// A file system gives the number of a folder that was removed to the next that is made.
+// A file system may give the number of a folder that was removed to the next that is made.
 TEST_F(Followed, AMatchThatBeginsAtOnceBehindAnotherIsAnother) {
   for (int i = 0; i < 5; ++i) {
     const std::size_t before = page.said("unadvertise").size();

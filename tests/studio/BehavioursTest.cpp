@@ -91,7 +91,9 @@ TEST_F(TeamFolders, LinksAreNotFollowed) {
   fs::create_symlink(pathOf("outside.py"), pathOf("red/link.py"));
   fs::create_symlink(pathOf("elsewhere"), pathOf("red/linked"));
   const Behaviours behaviours = both();
-  for (const char* path : {"link.py", "linked/secret.py"}) {
+  EXPECT_EQ(namesOf(behaviours).size(), 3U);
+  for (const char* path :
+       {"link.py", "linked/secret.py", "../outside.py", "../elsewhere/secret.py"}) {
     EXPECT_FALSE(behaviours.read({"red", path})) << path;
     EXPECT_FALSE(behaviours.write({"red", path}, "overwritten")) << path;
   }

@@ -3,8 +3,6 @@
 // on what has come since.
 #pragma once
 
-#include <dirent.h>
-
 #include <chrono>
 #include <memory>
 #include <set>
@@ -36,7 +34,6 @@ class FolderFeed : public Feed {
     LogTail tail;
     std::size_t log;
   };
-  std::string playingFolder() const;
   void look();
   void follow(Follower& follower);
   void begin();
@@ -49,8 +46,6 @@ class FolderFeed : public Feed {
   std::vector<Follower> followers_;
   std::set<std::string> known_;     // names of the files that are followed
   std::uint64_t folderNumber_ = 0;  // of FOLDER/playing: another one is another match
-  // That folder: as long as it is open no other gets its number.
-  std::unique_ptr<DIR, int (*)(DIR*)> held_{nullptr, closedir};
   std::chrono::steady_clock::time_point nextLook_;
   bool playing_ = false;
   bool begunBefore_ = false;

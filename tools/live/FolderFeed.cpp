@@ -35,13 +35,10 @@ std::vector<std::string> logsIn(const std::string& folder) {
 FolderFeed::FolderFeed(std::string folder, Hub& viewers, Hub& studio)
     : folder_(std::move(folder)), viewers_(viewers), studio_(studio) {}
 
-std::string FolderFeed::playingFolder() const { return (fs::path(folder_) / "playing").string(); }
-
 void FolderFeed::begin() {
   if (begunBefore_) viewers_.restart();
   if (begunBefore_) studio_.restart();
   begunBefore_ = playing_ = true;
-  held_.reset(opendir(playingFolder().c_str()));
   followers_.clear();
   known_.clear();
   relay_ = std::make_unique<Relay>(wallTime(), viewers_, studio_);
@@ -49,15 +46,14 @@ void FolderFeed::begin() {
 
 void FolderFeed::end() {
   playing_ = false;
-  held_.reset();
   viewers_.say("the match is over");
   studio_.say("the match is over");
 }
 
 // A log is followed from its beginning as soon as it has one. One that was joined and removed is
-// read to its end all the same.
+// read to its end all the same. As long as one is open no other folder gets the number of its own.
 void FolderFeed::look() {
-  const std::string playing = playingFolder();
+  const std::string playing = (fs::path(folder_) / "playing").string();
   const std::uint64_t number = numberOf(playing);
   if (number == 0 && playing_) end();
   if (number != 0 && (!playing_ || number != folderNumber_)) begin();
