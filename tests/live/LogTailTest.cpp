@@ -80,7 +80,7 @@ TEST_F(Tail, OfALogThatIsCutAnywhereGivesTheWholeMessagesBefore) {
   for (const LogOptions& kind : kKinds) {
     const std::string whole = logOf(kind);
     const auto all = heldBy(whole);
-    for (std::size_t size = 8; size < whole.size(); size += 7) {
+    for (std::size_t size = 8; size < whole.size(); size += 31) {
       const auto some = heldBy(whole.substr(0, size));
       ASSERT_LE(some.size(), all.size());
       EXPECT_TRUE(std::equal(some.begin(), some.end(), all.begin())) << size;
@@ -92,7 +92,7 @@ TEST_F(Tail, OfADamagedLogGivesWhatItCanAndEnds) {
   for (const LogOptions& kind : kKinds) {
     const std::string whole = logOf(kind);
     std::uint64_t chance = 1;
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 200; ++i) {
       std::string damaged = whole;
       for (int j = 0; j < 3; ++j) {
         chance = chance * 6364136223846793005U + 1442695040888963407U;
