@@ -20,7 +20,11 @@ import {
   shortNumber,
 } from "../src/model/words";
 import { stepTime } from "../src/panels/timeLine";
+import { matchOf, type Match } from "../src/model/match";
+import { momentAt } from "../src/model/moment";
 import { typeOf } from "../src/reading/decoder";
+import type { LogFile } from "../src/reading/logFile";
+import type { Stream } from "../src/reading/stream";
 import { sameBytes } from "../src/worker/compare";
 import { valueOf, wantedOf } from "../src/worker/series";
 
@@ -249,4 +253,57 @@ test("packed classes become colours, long runs, too", () => {
 test("outputs differ where a byte does", () => {
   expect(sameBytes(Uint8Array.of(1, 2), Uint8Array.of(1, 2))).toBe(true);
   expect(sameBytes(Uint8Array.of(1, 2), Uint8Array.of(1, 3))).toBe(false);
+});
+
+test("what a log of another version lacks is said in a sentence", () => {
+  const type = typeOf(
+    "kelpie/World world\n" + "=".repeat(80) + "\nMSG: kelpie/World\nfloat64 pose\n",
+  );
+  const file = {
+    channels: new Map([["/frame/output", {}]]),
+    typeOf: () => type,
+    stream: () => undefined,
+    from: 0,
+    to: 1,
+  } as unknown as LogFile;
+  const config = { team: 0, player: 1, field: undefined } as const;
+  const { notes, robots } = matchOf([{ name: "old.mcap", place: 0, file, config }]);
+  expect(robots).toHaveLength(1);
+  expect(notes.join(" ")).toMatch(/old\.mcap is of another version and lacks the ball/);
+  expect(notes.join(" ")).toMatch(/holds no inputs/);
+});
+
+test("a moment between two messages is between their places", () => {
+  const message = (time: number, x: number) => ({
+    time,
+    bytes: new Uint8Array(),
+    value: {
+      robots: [{ team: 1, player: 2, pose: { position: { x, y: 5 }, heading: 0 } }],
+      ball: { x: 2 * x, y: 0 },
+      redScore: 1,
+      blueScore: 0,
+    },
+  });
+  const truth = {
+    topic: "/truth",
+    type: typeOf(""),
+    from: 0,
+    to: 1e5,
+    around: () => ({ before: message(0, 10), after: message(1e5, 20) }),
+    load: () => Promise.resolve(),
+  } as unknown as Stream;
+  const match: Match = {
+    robots: [],
+    truth,
+    event: undefined,
+    truthLog: 0,
+    field: undefined,
+    from: 0,
+    to: 1e5,
+    notes: [],
+  };
+  const moment = momentAt(match, 5e4);
+  expect(moment.robots[0]).toMatchObject({ key: "blue-2", truth: { x: 15, y: 5 } });
+  expect(moment.ball).toEqual({ x: 30, y: 0 });
+  expect(moment.score).toEqual([1, 0]);
 });

@@ -3,9 +3,10 @@
 // frames whose outputs differ.
 import { FieldView } from "../drawing/fieldView";
 import type { Body } from "../model/body";
-import { matchOf, robotKey, type Match, type OpenLog } from "../model/match";
+import { matchOf, robotKey, type LogConfig, type Match, type OpenLog } from "../model/match";
 import { loadMoment, momentAt } from "../model/moment";
 import { clockOf } from "../model/words";
+import type { LaneRobot } from "../panels/lanes";
 import type { Background } from "./background";
 import { byId, make } from "./dom";
 import type { Studio } from "./studio";
@@ -67,16 +68,13 @@ export function askCompared(studio: Studio, background: Background, logs: OpenLo
   };
   background.ask({ ask: "compare", a: a.place, b: b.place });
   const second = b.config;
-  if (second)
-    studio.extraLanes.push({
-      key: secondKey(robotKey(second.team, second.player)),
-      team: second.team,
-      player: second.player,
-    });
+  if (second) studio.extraLanes.push(laneOf(second, a.config));
   studio.robotsChanged();
 }
 
-// The second log of the same robot.
-export function secondKey(key: string): string {
-  return `${key} b`;
+// The second log's lane; of the same robot it has a name of its own.
+function laneOf({ team, player }: LogConfig, first: LogConfig | undefined): LaneRobot {
+  const key = robotKey(team, player);
+  const same = first?.team === team && first.player === player;
+  return { key: same ? `${key} b` : key, team, player, name: same ? " b" : "" };
 }

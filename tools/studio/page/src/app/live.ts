@@ -83,6 +83,7 @@ function show(studio: Studio, match: LiveMatch, live: Live, lines: string[]): vo
 function follow(studio: Studio, panel: LivePanel | undefined): void {
   const { cursor, axis, match } = studio;
   let grown = 0;
+  let chosen = false;
   const step = () => {
     requestAnimationFrame(step);
     cursor.from = match.from;
@@ -95,7 +96,8 @@ function follow(studio: Studio, panel: LivePanel | undefined): void {
     }
     if (studio.moment) panel?.show(studio.moment);
     const first = match.robots[0];
-    if (first && studio.selected === "") studio.select(first.key);
+    if (first && !chosen) studio.select(first.key);
+    chosen ||= first !== undefined;
     const left = cursor.to - cursor.time;
     if (cursor.following && left > 1000)
       cursor.set(left > 1e6 ? cursor.to : cursor.time + 0.25 * left);

@@ -8,7 +8,7 @@ import { Types } from "../reading/decoder";
 import { LogFile } from "../reading/logFile";
 import { Notes } from "../panels/notes";
 import { comparedOf } from "./address";
-import { byId } from "./dom";
+import { byId, make } from "./dom";
 import { addSecond, askCompared } from "./compare";
 import { startFacts } from "./background";
 import { startLive } from "./live";
@@ -62,6 +62,7 @@ async function start(notes: Notes): Promise<void> {
   ).flat();
   if (logs.length === 0) {
     notes.say("There is no log to show. Start kelpie studio with the logs of a match.");
+    byId("title").append(make("h1", {}, "Kelpie ", make("span", {}, "studio")));
     byId("main").classList.add("empty");
     return;
   }

@@ -138,6 +138,7 @@ export class Studio {
       "+": () => this.axis.zoom(1 / 1.6, this.cursor.time),
       "-": () => this.axis.zoom(1.6, this.cursor.time),
       "0": () => this.axis.showAll(),
+      Escape: () => this.select(""),
       "?": () => this.help.toggle(),
     });
   }

@@ -24,7 +24,7 @@ export interface Shown {
 
 const BALL_PAINT = 0xff6a13;
 const JUMP = 1.5e6; // us
-const AFTER_PAUSE = 0.1; // s; a longer time between two pictures is a pause, not a slow machine
+const AFTER_PAUSE = 0.25; // s; a longer time between two pictures is a pause, not a slow machine
 
 export class FieldView {
   readonly stage: Stage;
@@ -77,7 +77,9 @@ export class FieldView {
   }
 
   show(moment: Moment): void {
-    if (this.moment && Math.abs(moment.time - this.moment.time) > JUMP) this.views.jump();
+    const before = this.moment;
+    const appears = moment.ball !== undefined && before?.ball === undefined;
+    if (before && (appears || Math.abs(moment.time - before.time) > JUMP)) this.views.jump();
     this.moment = moment;
     this.stage.invalidate();
   }

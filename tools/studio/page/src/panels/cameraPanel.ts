@@ -85,7 +85,7 @@ export class CameraPanel {
   show(robot: RobotStreams | undefined, time: number): void {
     this.robot = robot;
     this.time = time;
-    if (!robot) return this.nothing("There is no log of this robot.");
+    if (!robot) return this.nothing("No robot with a log is chosen.");
     const message = lastPicture(robot, time);
     if (!message)
       return this.nothing(

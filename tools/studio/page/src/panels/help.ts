@@ -8,6 +8,7 @@ const KEYS: [string, string][] = [
   ["[ ]", "a second, or the event before or behind"],
   ["Home End", "beginning, end (of a live match: follow it)"],
   ["1 … 8", "choose a robot"],
+  ["Escape", "choose none: what all robots believe is drawn"],
   ["v", "next view: broadcast, free, follow, robot’s eye, above"],
   ["+ − 0", "zoom the time in and out, show all of it"],
   ["l", "layers"],

@@ -19,6 +19,7 @@ export interface LaneRobot {
   key: string;
   team: Team;
   player: number;
+  name?: string; // what stands behind team and number
 }
 
 export class Lanes {
@@ -196,7 +197,7 @@ export class Lanes {
     row: number,
     ink: Record<string, string>,
   ): void {
-    const name = `${TEAM_NAMES[robot.team]} ${robot.player}`;
+    const name = `${TEAM_NAMES[robot.team]} ${robot.player}${robot.name ?? ""}`;
     c.fillStyle = ink["lane"]!;
     c.fillRect(GUTTER, top, this.width, ROWS.length * row);
     c.fillStyle = ink[robot.team === 0 ? "red" : "blue"]!;

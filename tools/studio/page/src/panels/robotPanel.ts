@@ -7,6 +7,8 @@ import { TEAM_NAMES } from "../model/field";
 import type { RobotMoment } from "../model/moment";
 import { decisionsOf, fallbackOf, legsOf, roleName, sentenceOf, shortNumber } from "../model/words";
 
+const NO_LOG = "There is no log of this robot.";
+
 export class RobotList {
   readonly element = make("div", { class: "robots", role: "radiogroup", "aria-label": "Robots" });
   private readonly buttons = new Map<string, HTMLButtonElement>();
@@ -87,11 +89,12 @@ export class ReasonPanel {
     const command = structureAt(robot?.output, "command");
     const instead = fallbackOf(command);
     const steps = decisionsOf(command);
-    const key = instead + JSON.stringify(steps) + (robot?.key ?? "");
+    const known = robot?.output !== undefined;
+    const key = `${instead}${JSON.stringify(steps)}${robot?.key ?? ""}${known}`;
     if (key === this.shown) return;
     this.shown = key;
     const said =
-      instead || (robot?.output ? "No reason is given." : "There is no log of this robot.");
+      instead || (known ? "No reason is given." : robot ? NO_LOG : "Choose a robot above.");
     this.list.replaceChildren(
       ...(steps.length > 0 && instead === ""
         ? steps.map((step) =>
