@@ -85,6 +85,16 @@ TEST_F(Followed, AKilledMatchThatWasMovedAwayMakesPlaceForAnother) {
   EXPECT_TRUE(becomes([this] { return offered("/live/red-1/config") == 1; }));
 }
 
+TEST_F(Followed, AMatchThatNobodyPlaysAnyMoreIsOverThoughItsLogsAreThere) {
+  bool held = true;
+  FolderFeed watched(pathOf("out"), viewers, studio, [&held] { return held; });
+  const LogWriter log = begun("red-1.mcap", TeamColour::red, 1);
+  ASSERT_TRUE(Relayed::becomes(watched, [&] { return watched.playing(); }));
+  held = false;
+  ASSERT_TRUE(Relayed::becomes(watched, [&] { return !watched.playing(); }));
+  EXPECT_EQ(viewer.said("status").back().at("message"), "the match is over");
+}
+
 TEST_F(Followed, AFolderThatIsRemovedEndsItsMatch) {
   LogWriter log = begun("red-1.mcap", TeamColour::red, 1);
   ASSERT_TRUE(becomesPlaying(true));

@@ -64,6 +64,21 @@ TEST_F(Shelf, ALogThatIsCutOffGivesWhatItHoldsAndSaysSo) {
   }
 }
 
+TEST_F(Shelf, AMatchThatWasKilledGivesItsParts) {
+  const std::string folder = pathOf("killed");
+  fs::create_directories(folder + "/playing");
+  logOf("killed/match.mcap", chunksOf(500));
+  logOf("killed/playing/red-1.mcap", {});
+  ASSERT_TRUE(shelf.addMatch(folder));
+  ASSERT_EQ(shelf.logs().size(), 1U);
+  EXPECT_EQ(shelf.logs()[0].name, "red-1.mcap");
+  shelf.clear();
+  fs::remove_all(folder + "/playing");
+  ASSERT_TRUE(shelf.addMatch(folder));
+  ASSERT_EQ(shelf.logs().size(), 1U);
+  EXPECT_EQ(shelf.logs()[0].name, "match.mcap");
+}
+
 TEST_F(Shelf, ADamagedLogGivesTheRest) {
   std::string log = contentOf(logOf("whole.mcap", {}));
   for (std::size_t i = log.size() / 2; i < log.size() / 2 + 40; ++i) log[i] = '\xA5';

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -21,10 +22,11 @@ class Feed {
 };
 
 // A match that is being played: its processes' logs grow in FOLDER/playing. When a new match
-// begins in the folder the hubs begin anew.
+// begins in the folder the hubs begin anew. A match that was killed leaves its `playing` there.
 class FolderFeed : public Feed {
  public:
-  FolderFeed(std::string folder, Hub& viewers, Hub& studio);
+  // `held`: whether somebody plays in the folder, not only did; asked while there is a `playing`.
+  FolderFeed(std::string folder, Hub& viewers, Hub& studio, std::function<bool()> held = {});
   void poll() override;
   // Whether a match is being played, as far as the last poll saw.
   bool playing() const { return playing_; }
@@ -42,6 +44,7 @@ class FolderFeed : public Feed {
   std::string folder_;
   Hub& viewers_;
   Hub& studio_;
+  std::function<bool()> held_;
   std::unique_ptr<Relay> relay_;
   std::vector<Follower> followers_;
   std::set<std::string> known_;     // names of the files that are followed

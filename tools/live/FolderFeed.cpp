@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "tools/live/Feed.h"
+#include "tools/live/LogsOf.h"
 
 namespace kelpie::live {
 namespace {
@@ -21,19 +22,10 @@ std::uint64_t numberOf(const std::string& path) {
   return stat(path.c_str(), &info) == 0 ? static_cast<std::uint64_t>(info.st_ino) : 0;
 }
 
-std::vector<std::string> logsIn(const std::string& folder) {
-  std::vector<std::string> logs;
-  std::error_code error;
-  for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error))
-    if (i->path().extension() == ".mcap") logs.push_back(i->path().string());
-  std::sort(logs.begin(), logs.end());
-  return logs;
-}
-
 }  // namespace
 
-FolderFeed::FolderFeed(std::string folder, Hub& viewers, Hub& studio)
-    : folder_(std::move(folder)), viewers_(viewers), studio_(studio) {}
+FolderFeed::FolderFeed(std::string folder, Hub& viewers, Hub& studio, std::function<bool()> held)
+    : folder_(std::move(folder)), viewers_(viewers), studio_(studio), held_(std::move(held)) {}
 
 void FolderFeed::begin() {
   if (begunBefore_) viewers_.restart();
@@ -55,10 +47,12 @@ void FolderFeed::end() {
 void FolderFeed::look() {
   const std::string playing = (fs::path(folder_) / "playing").string();
   const std::uint64_t number = numberOf(playing);
-  if (number == 0 && playing_) end();
-  if (number != 0 && (!playing_ || number != folderNumber_)) begin();
+  const bool played = number != 0 && (!held_ || held_());
+  if (!played && playing_) end();
+  if (!played) return;
+  if (!playing_ || number != folderNumber_) begin();
   folderNumber_ = number;
-  for (const std::string& path : logsIn(playing)) {
+  for (const std::string& path : logsOf(playing)) {
     if (known_.count(path) > 0) continue;
     auto tail = LogTail::open(path);
     if (!tail) continue;  // its first bytes are not written yet

@@ -8,6 +8,7 @@
 #include "robot/core/log/LogIndex.h"
 #include "robot/core/log/LogReader.h"
 #include "tools/cli/log/Logs.h"
+#include "tools/live/LogsOf.h"
 
 namespace kelpie::studio {
 namespace {
@@ -33,15 +34,6 @@ std::uint64_t sizeOf(const std::string& path) {
 
 }  // namespace
 
-std::vector<std::string> logsOf(const std::string& folder) {
-  std::vector<std::string> logs;
-  std::error_code error;
-  for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error))
-    if (i->path().extension() == ".mcap") logs.push_back(i->path().string());
-  std::sort(logs.begin(), logs.end());
-  return logs;
-}
-
 Status LogShelf::add(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) return addFolder(path);
@@ -66,11 +58,17 @@ Status LogShelf::addWhole(const std::string& path) {
 
 Status LogShelf::addFolder(const std::string& folder) {
   Status all = Done{};
-  for (const std::string& path : logsOf(folder)) {
+  for (const std::string& path : live::logsOf(folder)) {
     const Status added = add(path);
     if (all && !added) all = added;
   }
   return all;
+}
+
+Status LogShelf::addMatch(const std::string& folder) {
+  const std::string parts = (fs::path(folder) / "playing").string();
+  std::error_code error;
+  return addFolder(fs::is_directory(parts, error) ? parts : folder);
 }
 
 }  // namespace kelpie::studio

@@ -26,6 +26,9 @@ class LogShelf {
   Status add(const std::string& path);
   // All logs of a folder; none is no error. The error is the first one's; the others are added.
   Status addFolder(const std::string& folder);
+  // Those of a match that was played in the folder: joined, or the parts that it left when it was
+  // killed.
+  Status addMatch(const std::string& folder);
   void clear() { logs_.clear(); }
   const std::vector<ShelvedLog>& logs() const { return logs_; }
   // A file of the shelf's own.
@@ -38,8 +41,5 @@ class LogShelf {
   std::vector<ShelvedLog> logs_;
   std::size_t copies_ = 0;
 };
-
-// The names of a folder's logs, in alphabetical order.
-std::vector<std::string> logsOf(const std::string& folder);
 
 }  // namespace kelpie::studio

@@ -10,6 +10,7 @@
 
 #include "tools/cli/Version.h"
 #include "tools/live/Feed.h"
+#include "tools/session/MatchFolder.h"
 #include "tools/studio/Site.h"
 
 namespace kelpie::studio {
@@ -47,7 +48,8 @@ struct Studio::Parts {
 
 Status Studio::Parts::beginFeed() {
   if (!options.folder.empty()) {
-    auto following = std::make_unique<live::FolderFeed>(options.folder, viewers, studio);
+    auto following = std::make_unique<live::FolderFeed>(
+        options.folder, viewers, studio, [this] { return cli::isPlayedIn(options.folder); });
     folder = following.get();
     feed = std::move(following);
   }
@@ -61,7 +63,9 @@ Status Studio::Parts::beginFeed() {
 
 Status Studio::Parts::begin() {
   for (const std::string& log : options.logs) {
-    const Status added = shelf.add(log);
+    std::error_code error;
+    const bool match = std::filesystem::is_directory(log, error) && !cli::isPlayedIn(log);
+    const Status added = match ? shelf.addMatch(log) : shelf.add(log);
     if (!added) return added;
   }
   const Status feeding = beginFeed();
@@ -88,10 +92,10 @@ void Studio::Parts::passLines() {
   }
 }
 
-// Its logs are joined in the folder now.
+// Its logs are joined in the folder now, or still parts if it was killed.
 void Studio::Parts::shelveWhatWasPlayed() {
   shelf.clear();
-  const Status added = shelf.addFolder(options.folder);
+  const Status added = shelf.addMatch(options.folder);
   if (!added) viewers.say(added.error());
 }
 
