@@ -61,8 +61,8 @@ export class RobotMeshes {
     mesh.frustumCulled = false;
     mesh.castShadow = !ghost;
     mesh.receiveShadow = false;
-    // All parts have a colour of their own, white where the uniform is not, so that one shader draws
-    // them.
+    // All parts have a colour of their own, white where the uniform is not, so that one shader
+    // draws them.
     for (let i = 0; i < MOST; ++i) mesh.setColorAt(i, WHITE);
     this.parts.push({ link, mesh, uniform: uniform || ghost });
     this.group.add(mesh);

@@ -43,8 +43,8 @@ const NUMBERS: Record<string, Reading> = {
 };
 const texts = new TextDecoder();
 
-// Types by the text of their definition: the logs of a match hold the same ones, and to parse a text
-// takes tens of milliseconds.
+// Types by the text of their definition: the logs of a match hold the same ones, and to parse a
+// text takes tens of milliseconds.
 export class Types {
   private readonly known = new Map<string, MemberType>();
 
