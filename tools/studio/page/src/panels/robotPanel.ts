@@ -18,7 +18,11 @@ export class RobotList {
   }
 
   show(robots: readonly RobotMoment[], selected: string): void {
+    const before = this.buttons.size;
     robots.forEach((robot, i) => this.buttonOf(robot, i));
+    // Of a live match the robots become known in any order.
+    if (this.buttons.size > before)
+      this.element.append(...robots.flatMap((robot) => this.buttons.get(robot.key) ?? []));
     for (const [key, button] of this.buttons) {
       button.setAttribute("aria-checked", String(key === selected));
       button.tabIndex = key === selected || (selected === "" && key === robots[0]?.key) ? 0 : -1;
@@ -54,7 +58,9 @@ export class RobotList {
           ? -1
           : 0;
     if (way === 0) return;
-    const keys = [...this.buttons.keys()];
+    const keys = [...this.buttons.keys()].sort(
+      (a, b) => b.slice(0, 1).localeCompare(a.slice(0, 1)) || a.localeCompare(b),
+    );
     const now = keys.findIndex((k) => this.buttons.get(k) === document.activeElement);
     const next = keys[(now + way + keys.length) % keys.length]!;
     this.pick(next);
