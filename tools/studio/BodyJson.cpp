@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "robot/body/Ers7.h"
 #include "robot/body/FieldDescription.h"
@@ -34,7 +35,7 @@ struct Turn {
 };
 
 json link(const std::string& name, const std::string& parent, const Vec& origin, const Turn& turn,
-          const json& shapes) {
+          const std::vector<json>& shapes) {
   return {{"name", name},
           {"parent", parent},
           {"origin", listOf(origin)},
@@ -68,8 +69,8 @@ void addHead(json& links) {
       {number(Joint::neckTilt), kAcross},
       {shape("box", "dark", {0.0, 0.0, 0.5 * body::kNeckLength}, {2.6, 2.6, body::kNeckLength})}));
   links.push_back(link("pan", "neck", {0.0, 0.0, body::kNeckLength},
-                       {number(Joint::headPan), {0.0, 0.0, 1.0}}, json::array()));
-  json head = {shape("sphere", "shell", {0.0, 0.8, 1.0}, {7.0, 7.4, 6.4}),
+                       {number(Joint::headPan), {0.0, 0.0, 1.0}}, {}));
+  std::vector<json> head = {shape("sphere", "shell", {0.0, 0.8, 1.0}, {7.0, 7.4, 6.4}),
                shape("box", "shell", {0.0, 0.5 * body::kFaceLength, -0.6},
                      {5.0, body::kFaceLength - 1.0, 4.6}),
                shape("box", "dark", {0.0, body::kFaceLength - 0.6, -0.4}, {4.2, 1.0, 3.2})};
@@ -83,7 +84,7 @@ void addHead(json& links) {
 
 void addTail(json& links) {
   links.push_back(link("tail pan", "trunk", {0.0, -body::kBodyLength - 2.0, 2.0},
-                       {number(Joint::tailPan), {0.0, 0.0, 1.0}}, json::array()));
+                       {number(Joint::tailPan), {0.0, 0.0, 1.0}}, {}));
   links.push_back(link("tail", "tail pan", {}, {number(Joint::tailTilt), {-1.0, 0.0, 0.0}},
                        {shape("box", "dark", {0.0, -2.5, 0.0}, {0.8, 5.0, 0.8})}));
 }

@@ -8,6 +8,7 @@ export interface Report {
   readonly seekMs: number; // of the last seek for which something had to be read
   fps: number; // pictures of the field in the last second
   readonly time: number; // s
+  readonly length: number; // s, of what can be shown
   readonly counts: Record<string, number>;
   readonly notes: readonly string[];
   seek(seconds: number): Promise<number>; // ms until it is shown
@@ -58,6 +59,9 @@ export function report(studio: Studio, notes: Notes): void {
     },
     get time() {
       return studio.cursor.time / 1e6;
+    },
+    get length() {
+      return (studio.cursor.to - studio.cursor.from) / 1e6;
     },
     get counts() {
       return countsOf(studio);
