@@ -121,6 +121,7 @@ export function drawBox(c: CanvasRenderingContext2D, box: Box, scale: number): v
     c.arc((box.left + box.right) / 2, (box.top + box.bottom) / 2, (box.right - box.left) / 2, 0, 7);
     c.stroke();
   } else c.strokeRect(box.left, box.top, box.right - box.left, box.bottom - box.top);
+  if (box.label === "") return;
   c.font = `${10.5 / scale}px system-ui, sans-serif`;
   const wide = c.measureText(box.label).width + 6 / scale;
   const x = Math.min(Math.max(0, box.left), WIDTH - wide);

@@ -159,17 +159,10 @@ export class CameraPanel {
     c.imageSmoothingEnabled = scale < 1.2;
     c.drawImage(this.picture, 0, 0, WIDTH, HEIGHT);
     this.boxes = this.overlays ? drawPercepts(c, this.output, scale) : [];
-    for (const { kind, reason, box } of this.refused)
+    for (const { box } of this.refused)
       drawBox(
         c,
-        {
-          left: box[0],
-          top: box[1],
-          right: box[2],
-          bottom: box[3],
-          label: `${kind}: ${words(reason)}`,
-          colour: "#c9a0ff",
-        },
+        { left: box[0], top: box[1], right: box[2], bottom: box[3], label: "", colour: "#c9a0ff" },
         scale,
       );
   }
@@ -180,11 +173,12 @@ export class CameraPanel {
     const y = ((e.clientY - area.top) / area.height) * HEIGHT;
     const inside = (l: number, t: number, r: number, b: number) =>
       x >= l && x <= r && y >= t && y <= b;
-    const refused = this.refused.find(({ box }) => inside(...box));
+    const refused = this.refused.filter(({ box }) => inside(...box));
     const box = this.boxes.find((b) => inside(b.left, b.top, b.right, b.bottom));
-    this.canvas.title = refused
-      ? `Refused as ${refused.kind}: ${words(refused.reason)}`
-      : (box?.label ?? "");
+    const reasons = refused.map(({ kind, reason }) => `${words(kind)}: ${words(reason)}`);
+    const said = reasons.length > 0 ? `Refused as ${reasons.join("; ")}.` : "";
+    this.canvas.title = said || (box?.label ?? "");
+    if (this.showRefused) text(this.said, said || "Point at a box to read why it was refused.");
   }
 }
 
