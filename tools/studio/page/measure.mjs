@@ -5,9 +5,18 @@
 import { chromium } from "playwright-core";
 
 const [, , url, seed] = process.argv;
-const kChromium = ["--headless", "--no-sandbox", "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--disable-background-networking",
-  "--disable-component-update", "--disable-sync", "--no-first-run", "--disable-quic"];
+const kChromium = [
+  "--headless",
+  "--no-sandbox",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--ignore-gpu-blocklist",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--no-first-run",
+  "--disable-quic",
+];
 const kSeeks = 12;
 const kPlayed = 8; // s
 
@@ -57,12 +66,19 @@ const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", arg
 const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
 await page.goto(url);
 const open = await opened(page);
-const shown = await page.evaluate(() => ({ robots: window.__kelpie.counts.robots,
-  length: window.__kelpie.length }));
+const shown = await page.evaluate(() => ({
+  robots: window.__kelpie.counts.robots,
+  length: window.__kelpie.length,
+}));
 const taken = await seeks(page, shown.length);
 const fps = await rates(page);
 await browser.close();
-console.log(JSON.stringify({
-  open_s: open / 1000, robots: shown.robots, seek_ms: percentile(taken, 0.5),
-  seek_worst_ms: Math.max(...taken), frames_per_s: percentile(fps, 0.5),
-}));
+console.log(
+  JSON.stringify({
+    open_s: open / 1000,
+    robots: shown.robots,
+    seek_ms: percentile(taken, 0.5),
+    seek_worst_ms: Math.max(...taken),
+    frames_per_s: percentile(fps, 0.5),
+  }),
+);

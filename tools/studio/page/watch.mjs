@@ -12,14 +12,17 @@ const socket = connect(Number(port), hostname);
 function frame(text) {
   const body = Buffer.from(text);
   const mask = randomBytes(4);
-  const head = body.length < 126 ? Buffer.from([0x81, 0x80 | body.length])
-    : Buffer.from([0x81, 0xfe, body.length >> 8, body.length & 255]);
+  const head =
+    body.length < 126
+      ? Buffer.from([0x81, 0x80 | body.length])
+      : Buffer.from([0x81, 0xfe, body.length >> 8, body.length & 255]);
   return Buffer.concat([head, mask, body.map((byte, i) => byte ^ mask[i & 3])]);
 }
 
 function subscribeTo(message) {
   const subscriptions = message.channels.map(({ id }) => ({ id, channelId: id }));
-  if (subscriptions.length > 0) socket.write(frame(JSON.stringify({ op: "subscribe", subscriptions })));
+  if (subscriptions.length > 0)
+    socket.write(frame(JSON.stringify({ op: "subscribe", subscriptions })));
 }
 
 let waiting = Buffer.alloc(0);
@@ -39,8 +42,12 @@ function take(bytes) {
     const short = waiting[1] & 127;
     const head = short < 126 ? 2 : short === 126 ? 4 : 10;
     if (waiting.length < head) return;
-    const size = short < 126 ? short
-      : short === 126 ? waiting.readUInt16BE(2) : Number(waiting.readBigUInt64BE(2));
+    const size =
+      short < 126
+        ? short
+        : short === 126
+          ? waiting.readUInt16BE(2)
+          : Number(waiting.readBigUInt64BE(2));
     if (waiting.length < head + size) return;
     const body = waiting.subarray(head, head + size);
     if ((waiting[0] & 15) === 1) hear(JSON.parse(body.toString()));
@@ -57,9 +64,11 @@ function hear(message) {
 }
 
 const key = randomBytes(16).toString("base64");
-socket.write(`GET ${pathname} HTTP/1.1\r\nHost: ${hostname}:${port}\r\nUpgrade: websocket\r\n` +
-  `Connection: Upgrade\r\nSec-WebSocket-Key: ${key}\r\nSec-WebSocket-Version: 13\r\n` +
-  "Sec-WebSocket-Protocol: foxglove.websocket.v1\r\n\r\n");
+socket.write(
+  `GET ${pathname} HTTP/1.1\r\nHost: ${hostname}:${port}\r\nUpgrade: websocket\r\n` +
+    `Connection: Upgrade\r\nSec-WebSocket-Key: ${key}\r\nSec-WebSocket-Version: 13\r\n` +
+    "Sec-WebSocket-Protocol: foxglove.websocket.v1\r\n\r\n",
+);
 socket.on("data", take);
 socket.on("error", () => process.exit(0));
 socket.on("close", () => process.exit(0));
