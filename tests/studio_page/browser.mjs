@@ -32,15 +32,15 @@ async function playMatch() {
 }
 
 // Starts the program, and answers when it has told its address.
-function started(test, args) {
+export function started(test, args) {
   const server = spawn(program, [...words, ...args]);
   test.after(() => server.kill());
   let said = "";
   return new Promise((found, failed) => {
     const take = (bytes) => {
       said += bytes;
-      const address = /http:\/\/[\d.:]+/.exec(said);
-      if (address) found({ address: `${address[0]}/`, end: () => server.kill() });
+      const address = /(?:http|ws):\/\/[\d.:]+/.exec(said);
+      if (address) found({ address: `${address[0]}/`, end: (signal) => server.kill(signal) });
     };
     server.stdout.on("data", take);
     server.stderr.on("data", take);
@@ -53,7 +53,8 @@ export async function studio(test, sources) {
   return (await started(test, ["studio", "--port", "0", ...sources])).address;
 }
 
-// A match of one robot each side that is being played until the test ends.
+// A match of one robot each side that is being played until the test ends. Its processes end with
+// it.
 export function playing(test, args) {
   return started(test, ["play", "--studio", "--port", "0", "--robots", "1v1", "--fast", "--seed",
     "3", ...args]);
@@ -77,7 +78,8 @@ export async function browser(test, { width = 1280, height = 720, dark = false }
 
 export const report = (view) => view.evaluate(() => {
   const now = window.__kelpie;
-  return now && { openMs: now.openMs, time: now.time, counts: now.counts, notes: [...now.notes] };
+  return now && { openMs: now.openMs, time: now.time, counts: now.counts, places: now.places,
+    notes: [...now.notes] };
 });
 
 // Until the report is as wanted; fails with the last one after half a minute.

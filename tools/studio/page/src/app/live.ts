@@ -44,6 +44,8 @@ export function startLive(session: Session, live: Live, body: Body, notes: Notes
     state: onState,
     channel: (channel) => match.addChannel(channel),
     message: (channel, _time, bytes) => match.addMessage(channel, bytes),
+    said: (line) => notes.say(line === "the match is over" ? OVER : line),
+    anotherMatch: () => location.reload(),
   });
   document.title = `${live.title}: Kelpie studio`;
   void session;

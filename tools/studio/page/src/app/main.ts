@@ -55,8 +55,8 @@ async function start(notes: Notes): Promise<void> {
   const types = new Types();
   const live = session.live;
   const asked = new URLSearchParams(location.search);
-  if (live && live.playing !== false && !asked.has("logs"))
-    return startLive(session, live, body, notes);
+  const waits = live && (live.playing !== false || session.logs.length === 0);
+  if (live && waits && !asked.has("logs")) return startLive(session, live, body, notes);
   const logs = (
     await Promise.all(session.logs.map((log, place) => openLog(log, place, types, notes)))
   ).flat();
@@ -67,6 +67,20 @@ async function start(notes: Notes): Promise<void> {
     return;
   }
   showLogs(session, logs, body, notes);
+  if (live && !asked.has("logs")) watchForMatch(notes);
+}
+
+// Who looks at a match that was played hears of the next in its folder.
+function watchForMatch(notes: Notes): void {
+  const timer = window.setInterval(() => {
+    void fetchJson<Session>("/api/session")
+      .then((session) => {
+        if (session.live?.playing !== true) return;
+        window.clearInterval(timer);
+        notes.say("A match is being played: load the page again to watch it.");
+      })
+      .catch(() => window.clearInterval(timer));
+  }, 5000);
 }
 
 function showLogs(session: Session, logs: OpenLog[], body: Body, notes: Notes): void {

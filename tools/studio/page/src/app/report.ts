@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What tests and the measuring command read from the page: window.__kelpie.
+import { Vector3 } from "three";
 import type { Notes } from "../panels/notes";
 import type { Studio } from "./studio";
 
@@ -11,7 +12,14 @@ export interface Report {
   readonly length: number; // s, of what can be shown
   readonly counts: Record<string, number>;
   readonly notes: readonly string[];
+  readonly places: Record<string, Place>; // cm on the field, of "ball" and robots as "red-1"
   seek(seconds: number): Promise<number>; // ms until it is shown
+  screenOf(place: Place): Place; // where a place of the carpet is on the page, px
+}
+
+interface Place {
+  x: number;
+  y: number;
 }
 
 declare global {
@@ -36,6 +44,28 @@ function countsOf(studio: Studio): Record<string, number> {
     draws: studio.field?.stage.drawnFrames ?? 0,
     calls: studio.field?.stage.renderer.info.render.calls ?? 0,
     triangles: studio.field?.stage.renderer.info.render.triangles ?? 0,
+  };
+}
+
+function placesOf(studio: Studio): Record<string, Place> {
+  const places: Record<string, Place> = {};
+  for (const { key, truth, belief } of studio.moment?.robots ?? []) {
+    const pose = truth ?? belief;
+    if (pose) places[key] = { x: pose.x, y: pose.y };
+  }
+  const ball = studio.moment?.ball;
+  if (ball) places.ball = { x: ball.x, y: ball.y };
+  return places;
+}
+
+function screenOf(studio: Studio, place: Place): Place {
+  const stage = studio.field?.stage;
+  if (!stage) return { x: 0, y: 0 };
+  const box = stage.renderer.domElement.getBoundingClientRect();
+  const at = new Vector3(place.x, place.y, 5).project(stage.camera);
+  return {
+    x: box.left + ((at.x + 1) / 2) * box.width,
+    y: box.top + ((1 - at.y) / 2) * box.height,
   };
 }
 
@@ -66,10 +96,14 @@ export function report(studio: Studio, notes: Notes): void {
     get counts() {
       return countsOf(studio);
     },
+    get places() {
+      return placesOf(studio);
+    },
     get notes() {
       return notes.all;
     },
     seek: (seconds) => seek(studio, seconds),
+    screenOf: (place) => screenOf(studio, place),
   };
   window.__kelpie = made;
   const first = () => {

@@ -12,6 +12,8 @@ export interface LiveListener {
   state(connected: boolean): void;
   channel(channel: LiveChannel): void;
   message(channel: LiveChannel, time: number, bytes: Uint8Array): void; // time in us
+  said(line: string): void; // by the server, of the match
+  anotherMatch(): void; // what came so far is of a match before
 }
 
 const PROTOCOL = "foxglove.websocket.v1";
@@ -25,6 +27,7 @@ export class LiveLink {
   private readonly channels = new Map<number, LiveChannel>(); // by subscription
   private pause = FIRST_PAUSE;
   private nextSubscription = 1;
+  private session: unknown;
   private closed = false;
 
   constructor(
@@ -65,12 +68,20 @@ export class LiveLink {
 
   private takeText(text: string): void {
     const message = parsed(text);
+    if (message?.["op"] === "serverInfo") this.takeSession(message["sessionId"]);
+    if (message?.["op"] === "status") this.listener.said(String(message["message"]));
     if (message?.["op"] === "advertise")
       this.subscribe((message["channels"] ?? []) as LiveChannel[]);
     if (message?.["op"] === "unadvertise")
       for (const id of (message["channelIds"] ?? []) as number[])
         for (const [subscription, channel] of this.channels)
           if (channel.id === id) this.channels.delete(subscription);
+  }
+
+  private takeSession(session: unknown): void {
+    const another = this.session !== undefined && this.session !== session;
+    this.session = session;
+    if (another) this.listener.anotherMatch();
   }
 
   private subscribe(channels: LiveChannel[]): void {
