@@ -7,6 +7,7 @@ import { mkdtempSync, readdirSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { after } from "node:test";
 import { promisify } from "node:util";
 
 const page = new URL("../../tools/studio/page/package.json", import.meta.url);
@@ -64,12 +65,16 @@ const QUIET = ["--no-sandbox", "--use-angle=swiftshader", "--use-gl=angle",
   "--enable-unsafe-swiftshader", "--disable-background-networking", "--disable-component-update",
   "--disable-sync", "--no-first-run", "--disable-quic"];
 
+// One browser serves all tests of a file; each has a window of its own.
+let shared;
+after(() => shared?.close());
+
 // A page of the size that it is made for, and the errors that it has had.
 export async function browser(test, { width = 1280, height = 720, dark = false } = {}) {
-  const program = await chromium.launch({ executablePath: "/usr/bin/chromium", args: QUIET });
-  test.after(() => program.close());
-  const view = await program.newPage({ viewport: { width, height },
+  shared ??= await chromium.launch({ executablePath: "/usr/bin/chromium", args: QUIET });
+  const view = await shared.newPage({ viewport: { width, height },
     colorScheme: dark ? "dark" : "light" });
+  test.after(() => view.context().close());
   const errors = [];
   view.on("console", (said) => said.type() === "error" && errors.push(said.text()));
   view.on("pageerror", (error) => errors.push(error.message));
