@@ -21,14 +21,16 @@ async function live(t, name, words = []) {
 async function pause(view) {
   await view.getByRole("button", { name: "Pause or resume the match" }).click();
   await view.locator("text=Resume match").waitFor();
-  let before = -1;
-  await until(view, ({ time }) => [before === time, (before = time)][0]);
+  for (let before = -1, now; ; before = now) {  // what was under way arrives yet
+    ({ time: now } = await report(view));
+    if (now === before) return;
+    await view.waitForTimeout(2000);
+  }
 }
 
 test("a step is one frame of the match", async (t) => {
   const { view } = await live(t, "step");
   await pause(view);
-  await view.waitForTimeout(1500);
   const { time } = await report(view);
   await view.getByRole("button", { name: "One frame of the match" }).click();
   const after = await until(view, (now) => now.time > time + 0.01);

@@ -54,7 +54,12 @@ def words_of(command):
         words += ["--seconds", "4"]
     elif words[1] == "play":
         words += ["--seconds", "1"]
-    return words
+    return stopped(words) if "studio" in words or "--studio" in words else words
+
+
+def stopped(words):
+    """What serves until Ctrl-C, with that after some seconds, and where no other test serves."""
+    return ["timeout", "--signal=INT", "--preserve-status", "15", *words, "--port", "0"]
 
 
 def sheet(colour):

@@ -174,11 +174,10 @@ Expected<Json> studioSpeed(const Request& request) {
   return figures;
 }
 
-const Registration kStudio(
-    "studio",
-    "opening, seeking and drawing a recorded match in the studio's page; how "
-    "much a match slows down that is watched",
-    {Option::trials, Option::seed, Option::fast, Option::minutes}, 5, studioSpeed);
+const Registration kStudio("studio",
+                           "opening, seeking, drawing in the studio; what being watched costs",
+                           {Option::trials, Option::seed, Option::fast, Option::minutes}, 5,
+                           studioSpeed);
 
 }  // namespace
 }  // namespace kelpie::experiments
