@@ -67,6 +67,21 @@ TEST_F(Relayed, LateFramesReachTheStudioOnly) {
   EXPECT_EQ(offered("/live/red-1/frame/output"), 1U);
 }
 
+TEST_F(Relayed, OfFramesFasterThanThePauseViewersGetOneAndTheStudioAll) {
+  writeRobot("a.mcap", TeamColour::red, 1);
+  for (const bool slow : {false, true}) {
+    Relay one(TimeUs{}, viewers, studio, std::chrono::hours(slow ? 1 : 0));
+    relay(one, "a.mcap");  // offers the topics
+    viewers.hear(viewer, subscribing(1, viewer.channelOf("/red1/pose")));
+    studio.hear(page, subscribing(1, page.channelOf("/live/red-1/frame/output")));
+    viewer.frames.clear();
+    page.frames.clear();
+    relay(one, "a.mcap");
+    EXPECT_EQ(viewer.frames.size(), slow ? 1U : 3U);
+    EXPECT_EQ(page.frames.size(), 3U);
+  }
+}
+
 TEST_F(Relayed, ARobotsSecondLogGoesOnWhereItsFirstEnded) {
   writeRobot("a.mcap", TeamColour::red, 1);
   Relay one(TimeUs{}, viewers, studio);

@@ -15,6 +15,9 @@
 
 namespace kelpie::live {
 
+constexpr std::chrono::milliseconds kFramePause{
+    25};  // a little less than a frame takes by the clock
+
 class Feed {
  public:
   virtual ~Feed() = default;
@@ -71,7 +74,7 @@ class PlaybackFeed : public Feed {
     bool more = false;
   };
   PlaybackFeed(Hub& viewers, Hub& studio)
-      : viewers_(viewers), studio_(studio), relay_(wallTime(), viewers, studio) {}
+      : viewers_(viewers), studio_(studio), relay_(wallTime(), viewers, studio, kFramePause) {}
   Source* oldest();
   TimeUs timeAt(Clock::time_point now) const;
 

@@ -33,7 +33,7 @@ void FolderFeed::begin() {
   begunBefore_ = playing_ = true;
   followers_.clear();
   known_.clear();
-  relay_ = std::make_unique<Relay>(wallTime(), viewers_, studio_);
+  relay_ = std::make_unique<Relay>(wallTime(), viewers_, studio_, kFramePause);
 }
 
 void FolderFeed::end() {

@@ -44,8 +44,8 @@ void HubSink::take(const std::string& topic, TimeUs time,
   hub_.publish(topic, time, bytes_.data(), bytes_.size());
 }
 
-Relay::Relay(TimeUs start, Hub& viewers, Hub& studio)
-    : viewers_(viewers), studio_(studio), sink_(viewers), world_(start, sink_) {}
+Relay::Relay(TimeUs start, Hub& viewers, Hub& studio, Clock::duration pause)
+    : viewers_(viewers), studio_(studio), pause_(pause), sink_(viewers), world_(start, sink_) {}
 
 std::size_t Relay::addLog() {
   const std::size_t number = sources_.size();
@@ -74,15 +74,21 @@ void Relay::passOn(Source& source, std::size_t log, const LogMessage& message) {
   studio_.publish(place, message.time, message.data, message.size);
 }
 
+bool Relay::isDue(Clock::time_point& due, bool late) const {
+  const auto now = Clock::now();
+  if (late || !viewers_.hasPeers() || now < due) return false;
+  due = now + pause_;
+  return true;
+}
+
 // What a second log of one robot says, of an agent that was started again, goes on where the first
 // ended: nobody is drawn twice.
 void Relay::convert(Source& source, const LogMessage& message, bool late) {
   const std::string& topic = message.topic();
-  const bool input = agent::isFrameInput(topic);
-  const bool frame = input || topic == kFrameOutputTopic || topic == sim::kTruthTopic;
-  if (input) source.leftOut = late || !viewers_.hasPeers();
-  if (topic == sim::kTruthTopic && (late || !viewers_.hasPeers())) return;
-  if (frame && topic != sim::kTruthTopic && source.leftOut) return;
+  if (agent::isFrameInput(topic)) source.leftOut = !isDue(source.frameDue, late);
+  const bool frame = agent::isFrameInput(topic) || topic == kFrameOutputTopic;
+  if (frame && source.leftOut) return;
+  if (topic == sim::kTruthTopic && !isDue(source.truthDue, late)) return;
   (void)source.messages.take(message);
 }
 

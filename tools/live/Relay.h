@@ -6,10 +6,12 @@
 //   /live/red-1/frame/output      of a robot's log
 //   /live/world/truth, .../event  of whichever log told of them first
 //
-// A log that is read late, because frames come faster than they can be converted, is caught up with
-// by leaving frames out of what viewers get.
+// Viewers get thirty frames a second of each robot at most, so that a match that goes faster than
+// the clock does not wait for what nobody can see; and a log that is read late is caught up with by
+// leaving frames out.
 #pragma once
 
+#include <chrono>
 #include <deque>
 #include <map>
 #include <optional>
@@ -37,8 +39,10 @@ class HubSink : public viewer::MessageSink {
 
 class Relay {
  public:
-  // `start`: when the match's time was 0. The hubs must outlive the relay.
-  Relay(TimeUs start, Hub& viewers, Hub& studio);
+  using Clock = std::chrono::steady_clock;
+  // `start`: when the match's time was 0. Between two frames of a robot that viewers get is at
+  // least `pause`. The hubs must outlive the relay.
+  Relay(TimeUs start, Hub& viewers, Hub& studio, Clock::duration pause = {});
   Relay(const Relay&) = delete;
   Relay& operator=(const Relay&) = delete;
 
@@ -51,13 +55,17 @@ class Relay {
   struct Source {
     std::string robot;  // "red-1"; empty until its configuration has come
     viewer::LogMessages messages;
-    bool leftOut = false;  // the input of the frame whose output comes next
+    bool leftOut = false;          // the input of the frame whose output comes next
+    Clock::time_point frameDue{};  // the next that viewers get, by the clock on the wall
+    Clock::time_point truthDue{};  // so
   };
   void passOn(Source& source, std::size_t log, const LogMessage& message);
   void convert(Source& source, const LogMessage& message, bool late);
+  bool isDue(Clock::time_point& due, bool late) const;
 
   Hub& viewers_;
   Hub& studio_;
+  Clock::duration pause_;
   HubSink sink_;
   viewer::SharedWorld world_;
   std::deque<Source> sources_;                  // each stays where it is
