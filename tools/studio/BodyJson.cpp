@@ -70,10 +70,11 @@ void addHead(json& links) {
       {shape("box", "dark", {0.0, 0.0, 0.5 * body::kNeckLength}, {2.6, 2.6, body::kNeckLength})}));
   links.push_back(link("pan", "neck", {0.0, 0.0, body::kNeckLength},
                        {number(Joint::headPan), {0.0, 0.0, 1.0}}, {}));
-  std::vector<json> head = {shape("sphere", "shell", {0.0, 0.8, 1.0}, {7.0, 7.4, 6.4}),
-               shape("box", "shell", {0.0, 0.5 * body::kFaceLength, -0.6},
-                     {5.0, body::kFaceLength - 1.0, 4.6}),
-               shape("box", "dark", {0.0, body::kFaceLength - 0.6, -0.4}, {4.2, 1.0, 3.2})};
+  std::vector<json> head = {
+      shape("sphere", "shell", {0.0, 0.8, 1.0}, {7.0, 7.4, 6.4}),
+      shape("box", "shell", {0.0, 0.5 * body::kFaceLength, -0.6},
+            {5.0, body::kFaceLength - 1.0, 4.6}),
+      shape("box", "dark", {0.0, body::kFaceLength - 0.6, -0.4}, {4.2, 1.0, 3.2})};
   for (const double side : {-1.0, 1.0})
     head.push_back(shape("box", "dark", {side * 3.6, -0.6, 1.4}, {0.8, 2.0, 4.4}));
   links.push_back(link("head", "pan", {}, {number(Joint::headNod), kAcross}, head));
