@@ -7,11 +7,14 @@
 import kelpie
 from decisions import kick_choice, kick_map_choice, passing
 from decisions.kick_choice import Hold
+from lib import kick_table
 from lib.geom import wrap
 from situation.aim import mouth
+from situation.memory import own_goal_at
 
 UPENN_PLANS = {'grab_upenn_left': kelpie.UPENN_LEFT, 'grab_upenn_right': kelpie.UPENN_RIGHT}
 PASSES = {kick_choice.PASS_LEFT: kelpie.UPENN_LEFT, kick_choice.PASS_RIGHT: kelpie.UPENN_RIGHT}
+NOWHERE = 1e3         # deg
 STOP_INSIDE = 45.0    # cm from the lines: a ball that was carried back is let go there
 
 
@@ -27,7 +30,14 @@ class HeldChoice:
 
     def choose(self, world, dribble, overdue) -> tuple | None:
         """(kick or kick_choice.RELEASE, reason, numbers...) or None. `dribble`: the GrabDribble;
-        `overdue`: the rules leave no more time."""
+        `overdue`: the rules leave no more time. Nobody kicks at an own goal that he sees."""
+        chosen = self.by_pose(world, dribble, overdue)
+        if chosen is None or not own_goal_at(self.memory, way_of(chosen[0])):
+            return chosen
+        self.pass_to = 0
+        return (kick_choice.RELEASE, 'out of time, the own goal is ahead') if overdue else None
+
+    def by_pose(self, world, dribble, overdue):
         if world.task.passing and len(world.teammates) > 0:
             passed = self.pass_on(world, dribble)
             if passed is not None:
@@ -75,6 +85,14 @@ class HeldChoice:
         else:
             return None
         return None if chosen[0] == kick_choice.SPIN_AWAY else as_motion(chosen)
+
+
+def way_of(kick) -> float:
+    """deg to the left that a kick of a held ball sends it; a ball that is let go stays."""
+    if kick == kick_choice.RELEASE:
+        return NOWHERE
+    outcome = kick_table.held_outcome(kick)
+    return outcome[1] if outcome is not None else 0.0
 
 
 def as_motion(chosen) -> tuple:

@@ -14,6 +14,8 @@ WRITERS = {'spun': 'skills/ball/spin_for_ball', 'saw_close': 'skills/head/track_
 NEVER = 10000           # frames
 IR_RANGE = 50.0         # cm that the near sensor of the head reads at most
 IR_SHARE = 0.3          # of a new reading in the filter
+OWN_GOAL_KEPT = 15      # frames for which an own goal that was seen is carried along by the turn
+OWN_GOAL_SPARED = 15.0  # deg beside its posts: kicks of the map go 7 to 10 deg off their way
 BIG_TURN_DEG = 40.0     # deg/s asked for; thesis 2006 Alg 6.3 counts frames since a large turn
 
 
@@ -24,6 +26,7 @@ class Memory:
         self.ball_run = 0           # frames in which it saw it without a break
         self.goal_lost = NEVER      # frames since the opponents' goal was seen
         self.own_goal_lost = NEVER
+        self.own_goal = 0.0, 0.0    # deg, its posts as seen last: left, right
         self.goal_heading = 0.0     # deg, of the opponents' goal when it was seen last
         self.spin_side = 0.0        # of the last spin: +1 left, -1 right, 0 none yet
         self.spin_lost = NEVER      # frames since a spin for the ball
@@ -60,6 +63,8 @@ class Memory:
         self.ball_run = self.ball_run + 1 if seen else 0
         self.goal_lost += 1
         self.own_goal_lost += 1
+        turn = world.odometry.turn_deg
+        self.own_goal = self.own_goal[0] - turn, self.own_goal[1] - turn
         target = target_goal(world)
         for mark in world.percepts.landmarks:
             self.marks[mark.kind] = self.frame
@@ -67,6 +72,8 @@ class Memory:
                 self.goal_lost, self.goal_heading = 0, mark.heading_deg
             elif mark.kind in (kelpie.GOAL_BLUE, kelpie.GOAL_YELLOW):
                 self.own_goal_lost = 0
+                self.own_goal = (max(mark.left_edge_deg, mark.heading_deg),
+                                 min(mark.right_edge_deg, mark.heading_deg))
 
     def spun(self, side) -> None:
         """A skill turns on the spot for the ball in this frame: +1 to the left."""
@@ -91,6 +98,14 @@ class Memory:
     def set_hint(self, distance, heading_deg) -> None:
         """Where a skill thinks that the ball will come out (thesis 2006 table 6.1)."""
         self.hint = (distance, heading_deg, self.frame)
+
+
+def own_goal_at(memory, direction) -> bool:
+    """Whether a ball that goes so many deg to the left goes at the own goal, by sight, whatever the
+    pose says."""
+    left, right = memory.own_goal
+    return (memory.own_goal_lost < OWN_GOAL_KEPT and
+            right - OWN_GOAL_SPARED < direction < left + OWN_GOAL_SPARED)
 
 
 def target_goal(world) -> int:

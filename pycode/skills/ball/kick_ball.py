@@ -5,8 +5,9 @@
 # gps believes it. It does not turn to the goal: the decision tree chose the kick for how it stands.
 import kelpie
 from arbiter.machine import Machine
-from lib import intercept
+from lib import intercept, kick_table
 from lib.geom import clamp
+from situation.memory import own_goal_at
 from skills.ball.grab import walk_at
 from skills.head.track_ball import TrackBall
 from skills.motion.kick import Kick
@@ -45,7 +46,10 @@ class KickBall(Machine):
         x, y = world.ball.relative.x, world.ball.relative.y
         ahead, left = kelpie.KICKS[self.which].place
         off_ahead, off_left = self.off(world, x, y)
-        if abs(off_ahead) < NEAR_AHEAD and abs(off_left) < NEAR_SIDE:
+        near = abs(off_ahead) < NEAR_AHEAD and abs(off_left) < NEAR_SIDE
+        if near and own_goal_at(self.memory, kick_table.window_outcome(self.which)[1]):
+            return self.enter(world, self.ended, None, 'the own goal is seen where it would go')
+        if near:
             return self.enter(world, self.kick, Kick(world, self.which),
                               'ball {} cm ahead, {} cm aside', y, x)
         if self.timed_out(world, LONGEST):

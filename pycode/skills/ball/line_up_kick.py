@@ -8,6 +8,7 @@ from arbiter.machine import Machine
 from lib.geom import heading
 from lib.head import look_at, view
 from situation.goal import Goal
+from situation.memory import own_goal_at
 from skills.ball.go_to_ball import Approach, GoToBall
 from skills.ball.line_up import CircleBall, LineUp, aim_error
 from skills.ball.strike import StepToKick, Strike
@@ -90,7 +91,7 @@ class LineUpKick(Machine):
         goal_point = self.goal.where(world)
         if self.timed_out(world, Strike.TIME):
             return self.enter(world, self.ended, None, 'the last steps took too long')
-        if self.skill.can_kick(world, goal_point):
+        if self.skill.can_kick(world, goal_point) and not own_goal_at(self.memory, 0.0):
             return self.enter(world, self.kick, Kick(world, kelpie.KICK_FORWARD),
                               'ball {} cm ahead', world.ball.relative.y)
         if self.skill.out_of_reach(world, goal_point):
