@@ -11,7 +11,8 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 STAND_IN = pathlib.Path(os.environ.get('KELPIE_BUILD', ROOT / 'build/host')) / 'generated/python'
 sys.dont_write_bytecode = True
-sys.path[:0] = [str(ROOT / 'pycode'), str(HERE), str(STAND_IN)]
+PYCODE = os.environ.get('KELPIE_PYCODE', str(ROOT / 'pycode'))     # tools/mutate has its own
+sys.path[:0] = [PYCODE, str(HERE), str(STAND_IN)]
 
 if not (STAND_IN / 'kelpie.py').is_file():
     pytest.exit(f'{STAND_IN}/kelpie.py is not there: tools/build host behaviour_stand_in makes it',
