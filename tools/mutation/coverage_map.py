@@ -31,7 +31,7 @@ def digest(root):
     return made.hexdigest()
 
 
-def run_all(root, folder, jobs):
+def run_all(root, folder):
     """Runs every test once under coverage; exits with what failed."""
     folder.mkdir(parents=True, exist_ok=True)
     data = folder / 'coverage.data'
@@ -39,8 +39,8 @@ def run_all(root, folder, jobs):
     for old in folder.glob('coverage.data*'):
         old.unlink()
     result = subprocess.run(
-        [sys.executable, '-m', 'coverage', 'run', f'--rcfile={folder / "coveragerc"}', '-m', 'pytest',
-         '-q', '-p', 'no:cacheprovider', '-p', 'no:xdist', str(root / 'tests/py')],
+        [sys.executable, '-m', 'coverage', 'run', f'--rcfile={folder / "coveragerc"}', '-m',
+         'pytest', '-q', '-p', 'no:cacheprovider', '-p', 'no:xdist', str(root / 'tests/py')],
         cwd=root, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if result.returncode != 0:
         raise SystemExit('mutate: the tests fail without any change:\n' + result.stdout[-2000:])
@@ -76,12 +76,12 @@ def readers_of(root):
 class CoverageMap:
     """Answers which test functions may notice a mutant."""
 
-    def __init__(self, root, folder, jobs):
+    def __init__(self, root, folder):
         cache = folder / 'map.json'
         wanted = digest(root)
         known = json.loads(cache.read_text()) if cache.exists() else {}
         if known.get('digest') != wanted:
-            lines = read_contexts(root, run_all(root, folder, jobs))
+            lines = read_contexts(root, run_all(root, folder))
             known = {'digest': wanted, 'lines': lines}
             cache.write_text(json.dumps(known))
             known = json.loads(cache.read_text())
