@@ -89,10 +89,7 @@ class HeldChoice:
 
 def way_of(kick) -> float:
     """deg to the left that a kick of a held ball sends it; a ball that is let go stays."""
-    if kick == kick_choice.RELEASE:
-        return NOWHERE
-    outcome = kick_table.held_outcome(kick)
-    return outcome[1] if outcome is not None else 0.0
+    return NOWHERE if kick == kick_choice.RELEASE else kick_table.way(kick, True)
 
 
 def as_motion(chosen) -> tuple:

@@ -88,6 +88,15 @@ def window_outcome(kick, walking=False) -> Outcome:
     return _measured(_data(kick, False, walking)['whole'], _side(kick))
 
 
+def way(kick, held) -> float:
+    """deg to the left that the kick sends the ball; as its hint says, or ahead, where the map does
+    not know it."""
+    if kick in kicks(held):
+        return (held_outcome(kick) if held else window_outcome(kick))[1]
+    hint = kelpie.KICKS[kick].hint
+    return hint[1] if hint else 0.0
+
+
 def frames(kick, held=False) -> int:
     """Of 1/30 s, that the motion takes."""
     return _data(kick, held)['frames']

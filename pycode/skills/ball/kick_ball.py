@@ -47,7 +47,7 @@ class KickBall(Machine):
         ahead, left = kelpie.KICKS[self.which].place
         off_ahead, off_left = self.off(world, x, y)
         near = abs(off_ahead) < NEAR_AHEAD and abs(off_left) < NEAR_SIDE
-        if near and own_goal_at(self.memory, kick_table.window_outcome(self.which)[1]):
+        if near and own_goal_at(self.memory, kick_table.way(self.which, False)):
             return self.enter(world, self.ended, None, 'the own goal is seen where it would go')
         if near:
             return self.enter(world, self.kick, Kick(world, self.which),
