@@ -8,8 +8,10 @@ import kelpie
 import pytest
 from data.examples import EXAMPLES
 from decisions import positions, positions_regression as regressed
+from decisions.home import Home
 from lib import regression
 from lib.kd_tree import KdTree, squared
+from situations import world
 
 FIELD = kelpie.FIELDS['2006']
 
@@ -51,6 +53,16 @@ def test_no_place_is_in_the_own_box_or_off_any_field():
                 for place in positions.PLACES.values():
                     px, py = place(field, (float(x), float(y)))
                     assert field.box_depth < py < field.length and 0.0 < px < field.width
+
+
+@pytest.mark.parametrize('role, place', [
+    (kelpie.STRIKER, (252.0, 351.0)), (kelpie.SUPPORTER, (180.0, 216.0)),
+    (kelpie.DEFENDER, (180.0, 118.8))])
+@pytest.mark.parametrize('by', [kelpie.POSITIONS_BY_TREE, kelpie.POSITIONS_BY_REGRESSION])
+def test_without_a_ball_each_waits_in_its_own_part_of_the_field(role, place, by):
+    made = world()
+    made.task.positions = by
+    assert Home().update(made, role, None, ()) == pytest.approx(place)
 
 
 def test_a_ball_on_a_string_does_not_follow_noise_and_follows_a_ball_that_rolls():
@@ -173,7 +185,7 @@ def test_every_answer_lies_on_the_field_before_the_own_box(by_examples):
 
 @pytest.mark.parametrize('attacker, angle', [
     ((180, 100), 0.0), ((100, 200), -90.0), ((260, 200), 90.0), ((180, 300), 180.0),
-    ((180, 190), 0.0)])
+    ((180, 190), 0.0), ((199, 200), 0.0), ((201, 200), 90.0)])
 def test_the_attackers_angle_counts_left_of_up_field(attacker, angle):
     assert abs(regressed.attacker_angle(attacker, (180, 200))) == abs(angle)
     assert regressed.attacker_angle(attacker, (180, 200)) == pytest.approx(angle) or \

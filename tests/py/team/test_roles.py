@@ -7,7 +7,7 @@ import random
 import kelpie
 import pytest
 from decisions import positions
-from decisions.roles import (CHALLENGE_S, HAND_OVER_S, RoleChoice, forwards, should_attack,
+from decisions.roles import (CHALLENGE_S, HAND_OVER_S, Own, RoleChoice, forwards, should_attack,
                              should_defend)
 from situation import time_to
 from situation.memory import Memory
@@ -78,6 +78,43 @@ def test_an_attacker_is_chosen_by_algorithm_4_6(me, mates, yes):
     ([mate(2, A, 1.0, at=(180.0, 400.0)), mate(4, A, at=(180.0, 90.0))], False)])
 def test_the_sooner_home_defends_of_those_who_do_not_attack(mates, defends):
     assert should_defend(Me(at=(180.0, 200.0)), mates, HOME)[0] == defends
+
+
+@pytest.mark.parametrize('seconds, player, attacks', [
+    (3.95, 4, True), (3.93, 4, False), (3.95, 2, False), (4.05, 2, False), (4.07, 2, True)])
+def test_times_within_60_ms_are_a_tie_that_the_smaller_number_wins(seconds, player, attacks):
+    assert should_attack(Me(seconds=4.0), [mate(player, A, seconds)])[0] is attacks
+
+
+@pytest.mark.parametrize('ball_s, attacks', [(0.49, False), (0.51, True)])
+def test_an_attacker_that_has_not_seen_the_ball_for_half_a_second_is_blind(ball_s, attacks):
+    assert should_attack(Me(seconds=9.0), [mate(2, A, 1.0, ball_s=ball_s)])[0] is attacks
+
+
+@pytest.mark.parametrize('sooner_cm, role, stays', [
+    (31.0, S, True), (33.0, S, False), (1.0, kelpie.DEFENDER, True), (3.0, kelpie.DEFENDER, False)])
+def test_a_defender_stays_one_until_a_mate_is_home_a_second_sooner(sooner_cm, role, stays):
+    """At 30 cm/s, and by the 60 ms of a tie more."""
+    me = Me(at=(180.0, 200.0), defended=True)
+    other = mate(4, role, at=(180.0, 200.0 - sooner_cm))
+    assert should_defend(me, [mate(2, A), other], HOME)[0] is stays
+
+
+@pytest.mark.parametrize('sooner_cm, number, defends', [
+    (1.5, 4, True), (2.1, 4, False), (1.5, 2, False), (-1.5, 2, False), (-2.1, 2, True)])
+def test_who_are_home_within_60_ms_leave_it_to_the_smaller_number(sooner_cm, number, defends):
+    mates = [mate(5, A), mate(number, S, at=(180.0, 200.0 - sooner_cm))]
+    assert should_defend(Me(at=(180.0, 200.0)), mates, HOME)[0] is defends
+
+
+@pytest.mark.parametrize('lost, grab_lost, sees, started', [
+    (15, 1, True, True), (16, 2, False, False)])
+def test_who_saw_the_ball_within_15_frames_sees_it_and_a_grab_is_of_this_frame(lost, grab_lost,
+                                                                              sees, started):
+    memory = Memory()
+    memory.ball_lost, memory.grab_lost = lost, grab_lost
+    own = Own(world(), memory, S)
+    assert (own.sees, own.started) == (sees, started)
 
 
 def test_a_defender_stays_one_against_a_mate_that_is_a_little_sooner_home():
@@ -219,6 +256,53 @@ def test_who_attacked_last_leaves_the_ball_to_a_quicker_mate_that_has_not_said_s
     made.teammates[0].note.role = S
     attacks = [choice_in(made, 1, choice, memory).role == kelpie.ATTACKER for _ in range(20)]
     assert attacks.index(True) >= 30.0 * HAND_OVER_S - 1.0
+
+
+def test_a_role_is_chosen_anew_in_every_third_frame_or_when_others_attack():
+    made, memory = world(180.0, 200.0, ball=(180.0, 400.0)), Memory()
+    made.teammates = [mate(2, A, 1.0, at=(180, 380)), mate(4, S, 6.0, at=(60, 400))]
+    choice, roles = choice_in(made), []
+    made.teammates[1].pose.position = kelpie.Point2(x=180.0, y=280.0)
+    for _ in range(3):
+        roles.append(choice_in(made, 1, choice, memory).role)
+    assert roles == [kelpie.DEFENDER, kelpie.DEFENDER, S]
+    made.teammates = [mate(4, A, 1.0, at=(60, 100)), mate(2, S, 3.0, at=(180, 380))]
+    assert choice_in(made, 1, choice, memory).role == kelpie.DEFENDER
+
+
+@pytest.mark.parametrize('seconds, attacks', [(0.12, False), (0.17, True)])
+def test_a_quicker_robot_waits_0_15_s_before_it_takes_the_ball_over(seconds, attacks):
+    made, memory = world(180.0, 380.0, ball=(180.0, 400.0)), Memory()
+    memory.update(made)
+    made.teammates = [mate(2, A, 9.0, at=(180, 390))]
+    choice = RoleChoice()
+    choice.role = S
+    for at_s in (10.0, 10.0 + seconds):
+        made.time_s, choice.frames = at_s, 0
+        choice.update(made, memory)
+    assert (choice.role == A) is attacks
+
+
+@pytest.mark.parametrize('seconds, attacks', [(0.48, False), (0.52, True)])
+def test_half_a_second_after_the_last_attacker_a_slower_one_takes_the_ball(seconds, attacks):
+    made, memory = world(180.0, 200.0, ball=(180.0, 400.0)), Memory()
+    memory.update(made)
+    choice = RoleChoice()
+    choice.role = S
+    for at_s, role in ((10.0, A), (10.0 + seconds, S)):
+        made.time_s, made.teammates = at_s, [mate(2, role, 1.0, at=(180, 380))]
+        choice.update(made, memory)
+    assert (choice.role == A) is attacks
+
+
+def test_who_knows_of_no_ball_stays_what_it_is_and_an_attacker_becomes_a_striker():
+    made, memory = world(), Memory()
+    made.ball.present = made.percepts.ball.present = False
+    made.teammates = [mate(2, A, 1.0), mate(4)]
+    for before, after in ((A, S), (S, S), (kelpie.DEFENDER, kelpie.DEFENDER)):
+        choice = RoleChoice()
+        choice.role = before
+        assert choice_in(made, 1, choice, memory).role == after
 
 
 def test_a_far_robot_does_not_attack_while_a_mate_hands_the_ball_to_another():

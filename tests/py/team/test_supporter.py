@@ -107,6 +107,29 @@ def test_bird_of_prey_goes_on_within_100_cm_until_it_is_home():
     assert states == ['bird_of_prey'] * 3 + ['go_home']
 
 
+def test_who_came_within_15_cm_of_home_stands_until_it_is_30_cm_off():
+    made, memory, walks = scene(at=(300.0, 325.0)), Memory(), []
+    skill = Supporter(memory, S)
+    for away in (31.0, 16.0, 14.0, 29.0, 31.0, 16.0):
+        made.pose.position.y = 350.0 - away
+        put_ball(made, 100.0, 200.0)
+        memory.update(made)
+        walk = skill.step(made).walk
+        walks.append(math.hypot(walk.forward, walk.left) > 0.0)
+    assert walks == [True, True, False, False, True, True]
+
+
+def test_who_stands_at_home_turns_when_the_ball_is_25_degrees_aside_until_it_is_8():
+    made, memory, turns = scene(), Memory(), []
+    skill = Supporter(memory, S)
+    for off in (24.0, 26.0, 9.0, 7.0, 24.0):
+        made.pose.heading_deg = math.degrees(math.atan2(-150.0, -200.0)) - off
+        put_ball(made, 100.0, 200.0)
+        memory.update(made)
+        turns.append(skill.step(made).walk.turn_deg > 0.0)
+    assert turns == [False, True, True, False, False]
+
+
 @pytest.mark.parametrize('role', [S, kelpie.SUPPORTER, kelpie.DEFENDER])
 @pytest.mark.parametrize('positions', [kelpie.POSITIONS_BY_TREE, kelpie.POSITIONS_BY_REGRESSION])
 def test_every_role_has_a_home_on_the_field_with_and_without_a_ball(role, positions):
