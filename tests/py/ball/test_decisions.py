@@ -7,7 +7,7 @@ import random
 import kelpie
 import pytest
 from decisions import tree
-from decisions.leaf_by_map import LeafByMap
+from decisions.leaf_by_map import LeafByMap, run_in
 from lib import zones
 from situation import contested
 from situation.at_ball import Situation
@@ -204,3 +204,12 @@ def test_a_contest_lasts_15_frames_after_its_last_trigger():
     assert latch.update(made, memory)
     made.motion.feeling.paw_blocked = [False, False]
     assert [latch.update(made, memory) for _ in range(16)] == [True] * 15 + [False]
+
+
+@pytest.mark.parametrize('x, away, runs', [
+    (180.0, 34.0, True), (180.0, 36.0, False), (216.0, 30.0, True), (224.0, 30.0, False)])
+def test_a_ball_within_35_cm_of_the_line_and_between_the_posts_is_run_in(x, away, runs):
+    y = FIELD.length - away
+    made = world(x, y - 30.0, 90.0, (x, y))
+    assert run_in(made, Situation(made, False, False), tree.DRIBBLE) is runs
+    assert not run_in(made, Situation(made, False, False), tree.GRAB_TURN_SHOOT)

@@ -14,7 +14,8 @@ from situations import world
 from skills.ball import dodge
 from skills.ball.find_ball import FindBall
 from skills.ball.grab_dribble import (BLOCKED_OUT, EDGE, FARTHEST, FEEL, OVER_TURN, OVER_TURN_Y,
-                                      SEARCH_SHARE, SEARCH_TURN, SETTLE, TIME_OUT, GrabDribble)
+                                      SEARCH_SHARE, SEARCH_TURN, SETTLE, TIME_OUT, GrabDribble,
+                                      turn_towards)
 from skills.ball.hold import Hold
 from skills.walk import step_back
 
@@ -236,3 +237,9 @@ def test_dark_pixels_or_infrared_say_that_somebody_is_ahead(pixels, away, wanted
     made = world()
     made.percepts.obstacles_ahead, made.sensors.head_near_distance = pixels, away
     assert dodge.in_the_way(made) is wanted
+
+
+@pytest.mark.parametrize('off, turn', [(1.4, 0.0), (2.0, 25.0), (6.0, 25.0), (10.0, 40.0),
+                                       (-1.4, 0.0), (-2.0, -25.0), (-10.0, -40.0)])
+def test_a_held_ball_is_turned_with_at_25_degrees_a_second_at_least_or_not_at_all(off, turn):
+    assert turn_towards(world(), off) == pytest.approx(turn)

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The kick of a held ball by the rules of thesis 2006, algorithms 6.8 to 6.11, in their order."""
+from types import SimpleNamespace
+
 import kelpie
 import pytest
 from decisions import kick_choice as choice
+from decisions.held_choice import HeldChoice
 from decisions.kick_choice import Hold
+from situation.contested import Contested
 from situation.memory import Memory
 from situations import world
 
@@ -41,6 +45,22 @@ def test_midfield_is_as_the_own_third_but_soft_when_contested():
     (dict(goal_heading=-15.0), WEDGE)])
 def test_a_goal_in_sight(facts, wanted):
     assert kick(480, **facts) == wanted
+
+
+@pytest.mark.parametrize('x, gap, passes', [
+    (78.0, (5.0, -5.0), True), (82.0, (5.0, -5.0), False), (180.0, (5.0, -5.0), False),
+    (40.0, (5.9, -5.9), True), (40.0, (6.1, -6.1), False), (282.0, (5.0, -5.0), True),
+    (278.0, (5.0, -5.0), False)])
+@pytest.mark.parametrize('frames', [0, 10])
+def test_within_1_m_of_a_corner_a_gap_under_12_degrees_is_passed_across(x, gap, passes, frames):
+    found = kick(480.0, x=x, gap=gap, aimed=True, goal_lost=frames)
+    assert (found in (choice.PASS_LEFT, choice.PASS_RIGHT)) is passes
+
+
+@pytest.mark.parametrize('frames, turns', [(4, True), (5, False)])
+def test_an_own_goal_seen_fewer_than_5_frames_ago_forbids_the_kick(frames, turns):
+    for y in (100.0, 270.0):
+        assert (kick(y, own_goal_lost=frames) == choice.SPIN_AWAY) is turns
 
 
 @pytest.mark.parametrize('y, wanted', [
@@ -88,3 +108,15 @@ def test_every_choice_says_why_within_a_trace():
                           dict(gap=(9.0, -9.0), aimed=True), dict(own_goal_lost=0, spun=40)):
                 _, reason, *numbers = choice.by_rules(hold(y, goal_lost=lost, **facts))
                 assert 0 < len(reason) <= 80 and reason.count('{}') == len(numbers)
+
+
+@pytest.mark.parametrize('plan, inside, wanted', [
+    ('grab_dribble_stop', 44.0, None), ('grab_dribble_stop', 46.0, choice.RELEASE),
+    ('grab_upenn_left', 10.0, kelpie.UPENN_LEFT), ('grab_upenn_right', 10.0, kelpie.UPENN_RIGHT)])
+def test_a_ball_carried_back_is_let_go_45_cm_inside_and_one_at_an_edge_is_struck(plan, inside,
+                                                                                 wanted):
+    made = world()
+    made.task.kicks = kelpie.KICKS_BY_RULES
+    dribble = SimpleNamespace(plan=plan, line_distance=lambda world: inside)
+    found = HeldChoice(Memory(), Contested()).choose(made, dribble, False)
+    assert (found[0] if found is not None else None) == wanted

@@ -71,3 +71,42 @@ def test_against_somebody_under_the_nose_it_is_kicked_sideways_in_midfield_ahead
 def test_a_ball_is_not_kicked_at_somebody_under_the_nose_before_time_is_out():
     assert chosen(world(180.0, 490.0), overdue=False)[0] in kick_map_choice.AHEAD
     assert chosen(blocked(world(180.0, 490.0)), overdue=False) is None
+
+
+def test_a_ball_has_a_utility_from_45_cm_before_the_own_line_on_and_less_below():
+    field = world().field
+    assert kick_map_choice.nearness(field, 180.0, 46.0) > 0.0
+    assert kick_map_choice.nearness(field, 180.0, 44.0) == -0.5
+
+
+def test_a_balls_utility_falls_from_0_6_in_the_goal_by_a_third_of_it_in_217_cm():
+    field = world().field
+    assert kick_map_choice.nearness(field, 180.0, 539.99) == pytest.approx(0.6, abs=0.001)
+    assert kick_map_choice.nearness(field, 180.0, 323.3) == pytest.approx(0.4, abs=0.001)
+
+
+@pytest.mark.parametrize('x, y', [(0.0, 300.0), (360.0, 300.0), (100.0, 540.0)])
+def test_a_ball_out_of_the_field_keeps_half_its_utility(x, y):
+    field, out = world().field, -0.01 if x == 0.0 else 0.01
+    inside = kick_map_choice.nearness(field, abs(x - 0.01), min(y, 539.99))
+    outside = kick_map_choice.nearness(field, x + (0.0 if y == 540.0 else out), y)
+    assert outside == pytest.approx(0.5 * inside, abs=0.001)
+
+
+def test_a_ball_that_is_let_go_keeps_0_7_of_its_places_utility():
+    made = world(180.0, 300.0)
+    there = kick_map_choice.nearness(made.field, 180.0, 308.0)
+    assert kick_map_choice.utility_let_go(made) == pytest.approx(0.7 * there)
+
+
+def test_a_held_ball_lies_8_cm_ahead_of_the_neck():
+    assert kick_map_choice.held_ball(world(100.0, 200.0, 0.0)) == pytest.approx((108.0, 200.0))
+    assert kick_map_choice.held_ball(world(100.0, 200.0, 90.0)) == pytest.approx((100.0, 208.0))
+
+
+def test_somebody_under_the_nose_leaves_four_of_ten_kicks_ahead_their_utility():
+    free = world(180.0, 450.0)
+    kick, gap = kick_map_choice.AHEAD[0], (20.0, -20.0)
+    wanted = 0.4 * kick_map_choice.utility_of(free, kick, gap, 0.0) + \
+        0.6 * kick_map_choice.utility_let_go(free)
+    assert kick_map_choice.utility_now(blocked(free), kick, gap) == pytest.approx(wanted)
