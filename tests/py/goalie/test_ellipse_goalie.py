@@ -8,7 +8,7 @@ import pytest
 from goalie_world import GoalieWorld, anywhere, run, scene, shot
 from lib import goalie_places as places
 from players.ellipse_goalie import UNSEEN_NEAR, EllipseGoalie, attack_due, attack_failed
-from skills.ball.paw_kick import Paw
+from skills.ball.paw_kick import Paw, PawKick
 from test_goalie import scramble
 
 
@@ -29,6 +29,15 @@ def test_attack_ends_15_cm_beyond_the_box_or_40_deg_off(ball, heading, failed):
     world = scene(ball).world
     world.percepts.ball.heading_deg = heading
     assert (attack_failed(world) is not None) == failed
+
+
+@pytest.mark.parametrize('side', [1.0, -1.0])
+def test_the_front_leg_that_is_nearer_at_first_meets_the_ball_to_the_end(side):
+    world, skill = scene(180 + 60j).world, PawKick()
+    world.ball.relative.x, world.ball.relative.y = 5.0 * side, 20.0
+    assert skill.step(world).turn_deg == 0.0
+    world.ball.relative.x = -2.0 * side
+    assert skill.step(world).turn_deg * side > 0.0
 
 
 def test_attack_ends_when_the_ball_is_unseen_for_long():

@@ -258,6 +258,17 @@ def test_head_of_2006_regains_a_lost_ball_by_belief_then_by_points():
     assert head.state == head.track
 
 
+@pytest.mark.parametrize('unseen_s, state', [(0.05, 'track'), (0.15, 'believed'),
+                                             (9.0, 'believed')])
+def test_after_a_glance_the_ball_is_tracked_when_it_was_seen_since_then(unseen_s, state):
+    head, world = GoalieHead(Memory()), seeing(world_at())
+    head.enter(world, head.believed)
+    world.time_s += 0.1
+    world.ball.seconds_since_seen = unseen_s
+    head.believed(world)
+    assert head.state.__name__ == state
+
+
 def test_head_of_2004_goes_back_to_the_last_angle_then_to_gps_then_searches():
     head, world = EllipseHead(Memory()), seeing(world_at())
     world.head.head_pan_deg = 33.0
