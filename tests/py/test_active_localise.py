@@ -2,8 +2,10 @@
 import kelpie
 import pytest
 from situation.memory import Memory
+from situations import world
 from skills.head.active_localise import (BACK_FRAMES, LOOK_FRAMES, ActiveLocalise,
                                          attacker_may_look, due, interval)
+from skills.head.watch_play import WatchPlay
 
 EAST = kelpie.BEACON_PINK_ON_BLUE
 WEST = kelpie.BEACON_BLUE_ON_PINK
@@ -144,3 +146,19 @@ def test_it_says_why():
     assert trace[0][:4] == (kelpie.LAYER_SKILL, 'active_localise', 'look',
                             'the pose is sure to {} cm; a landmark at {} deg')
     assert trace[0][4:] == (12.0, pytest.approx(-51.5, abs=0.1))
+
+
+def test_who_waits_with_a_sure_pose_looks_at_a_landmark_every_four_seconds_for_a_third_of_one():
+    made, memory, looks = world(), Memory(), []
+    made.position_sd = memory.localised_lost = 0
+    watch = WatchPlay(memory)
+    for _ in range(300):
+        memory.update(made)
+        watch.step(made, None)
+        looks.append(watch.looking)
+        trace = []
+        watch.explain(trace)
+        assert bool(trace) is watch.looking
+    begun = [i for i in range(1, 300) if looks[i] and not looks[i - 1]]
+    assert not looks[0] and begun[0] == 120 and 120 < begun[1] - begun[0] < 140
+    assert 10 <= looks[:200].count(True) <= 12

@@ -2,6 +2,7 @@
 import math
 
 import kelpie
+import pytest
 from ideal_world import IdealWorld
 from lib import features
 from lib.route import orders, points_of, shortest, way
@@ -109,3 +110,19 @@ def test_a_halt_at_the_very_start_is_not_the_end_of_mapping():
     run.world.game.state = kelpie.PLAYING
     run.run(30)
     assert run.mapped > 0 and not run.said
+
+
+def test_the_map_is_made_from_65_cm_before_the_middle_and_from_as_far_beyond():
+    player = Challenger()
+    assert player.to_stand(FIELD).point == (180.0, 205.0)
+    player.beyond = True
+    assert player.to_stand(FIELD).point == (180.0, 335.0)
+
+
+@pytest.mark.parametrize('sd, heading_sd, weight, known', [
+    (14.0, 5.0, 0.61, True), (16.0, 5.0, 0.61, False), (14.0, 7.0, 0.61, False),
+    (14.0, 5.0, 0.59, False), (14.0, 5.0, None, False)])
+def test_a_place_is_known_to_15_cm_and_6_degrees_by_a_mode_of_0_6(sd, heading_sd, weight, known):
+    world = kelpie.WorldFrame(field=FIELD, position_sd=sd, heading_sd_deg=heading_sd)
+    world.modes = [] if weight is None else [kelpie.PoseMode(weight=weight)]
+    assert Challenger().knows_place(world) is known

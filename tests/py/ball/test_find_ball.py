@@ -13,6 +13,7 @@ from skills.ball.lost_ball import (CHAIN, SPIN_TURN, Situation, first_step, scan
                                    scan_limits, sent_away, spin_head, spin_speed, use_back_off,
                                    use_belief, use_forced, use_hint, use_infrared, use_last_seen,
                                    use_scan, use_spin)
+from skills.ball.spin_for_ball import SpinForBall
 from skills.head.scan_for_ball import FRAMES_PER_S, LATE_FRAMES, ScanForBall, head_params
 
 ALL_HOLD = dict(frame=100, lost=3, force_until=110, hint_frame=95, ir=8.0, close_lost=10,
@@ -341,6 +342,12 @@ def test_without_a_belief_the_scan_goes_to_the_other_side_first_and_turns_with_t
     assert search.step == 'spin'  # both sides were shown
 
 
+@pytest.mark.parametrize('side', [1.0, -1.0])
+def test_a_spin_by_itself_is_as_fast_as_algorithm_6_2_has_it(side):
+    skill = SpinForBall(Memory(), side)
+    assert skill.step(Search().world).walk.turn_deg == pytest.approx(55.0 * side)
+
+
 def test_a_spin_ends_when_all_around_was_looked_at():
     search, turned = Search(lost=100, place=None), 0.0
     late_head = LateHead(search.world)
@@ -407,6 +414,27 @@ def test_a_search_without_a_memory_keeps_its_own():
     skill = FindBall(world)
     skill.step(world)
     assert skill.state == skill.scan
+
+
+@pytest.mark.parametrize('unseen_s, state', [(0.05, 'last_seen'), (0.4, 'belief'), (2.0, 'scan')])
+def test_a_search_without_a_memory_begins_where_gps_lost_the_ball(unseen_s, state):
+    search = Search()
+    search.world.ball.seconds_since_seen = unseen_s
+    search.world.percepts.ball.present = False
+    skill = FindBall(search.world)
+    skill.step(search.world)
+    assert skill.state.__name__ == state
+
+
+def test_who_just_lost_the_ball_has_not_looked_for_it_yet():
+    search = Search(lost=3)
+    search.world.head.head_nod_deg = 0.0
+    search.skill = FindBall(search.world, search.memory)
+    steps = []
+    for _ in range(5):
+        search.next()
+        steps.append(search.step)
+    assert steps == ['last_seen'] + ['belief'] * 3 + ['scan']
 
 
 # The scan's head

@@ -26,6 +26,14 @@ def test_three_cases_of_paws(left, right, backs, goes):
     assert walk.turn_deg == 0.0
 
 
+def test_who_backs_off_looks_ahead_and_a_little_down():
+    skill, world = PawStuck(), world_with(True, True)
+    assert skill.needed(world)
+    head = skill.step(world).head
+    assert head.aim == kelpie.AIM_DIRECTION and head.direction_deg == 0.0
+    assert -20.0 < head.elevation_deg < 0.0
+
+
 def test_it_backs_for_a_certain_time_after_the_paw_is_free():
     skill = PawStuck()
     assert skill.needed(world_with(True, False))
