@@ -213,3 +213,11 @@ def test_a_ball_within_35_cm_of_the_line_and_between_the_posts_is_run_in(x, away
     made = world(x, y - 30.0, 90.0, (x, y))
     assert run_in(made, Situation(made, False, False), tree.DRIBBLE) is runs
     assert not run_in(made, Situation(made, False, False), tree.GRAB_TURN_SHOOT)
+    leaf, why, *_ = LeafByMap().choose(made, Situation(made, False, False), tree.DRIBBLE)
+    assert (leaf == tree.DRIBBLE) is (why == 'as the tree says') is runs
+
+
+@pytest.mark.parametrize('y, third', [(150, 'defensive'), (270, 'middle'), (450, 'offensive')])
+def test_the_reason_of_a_leaf_begins_with_the_third_of_the_field(y, third):
+    _, _, reason, *_ = tree.decide(Situation(facing_up_point(0, (180, y)), False, False))
+    assert reason.startswith(third)

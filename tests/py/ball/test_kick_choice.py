@@ -120,3 +120,15 @@ def test_a_ball_carried_back_is_let_go_45_cm_inside_and_one_at_an_edge_is_struck
     dribble = SimpleNamespace(plan=plan, line_distance=lambda world: inside)
     found = HeldChoice(Memory(), Contested()).choose(made, dribble, False)
     assert (found[0] if found is not None else None) == wanted
+
+
+@pytest.mark.parametrize('aimed, carries, kicks', [
+    (True, False, True), (True, True, False), (False, False, False), (False, True, False)])
+def test_who_has_aimed_kicks_unless_carrying_the_ball_on_helps(aimed, carries, kicks):
+    made = world()
+    made.task.kicks = kelpie.KICKS_BY_RULES
+    dribble = SimpleNamespace(plan='grab_turn_shoot', searched=0, search_side=1.0,
+                              aim=SimpleNamespace(gap=(10.0, -10.0), aimed=aimed),
+                              should_carry=lambda world: carries)
+    found = HeldChoice(Memory(), Contested()).choose(made, dribble, False)
+    assert (found is not None) is kicks

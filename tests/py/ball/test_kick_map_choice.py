@@ -110,3 +110,10 @@ def test_somebody_under_the_nose_leaves_four_of_ten_kicks_ahead_their_utility():
     wanted = 0.4 * kick_map_choice.utility_of(free, kick, gap, 0.0) + \
         0.6 * kick_map_choice.utility_let_go(free)
     assert kick_map_choice.utility_now(blocked(free), kick, gap) == pytest.approx(wanted)
+
+
+def test_a_kick_that_works_every_second_time_is_worth_half_of_where_the_ball_goes():
+    made, outcome = world(180.0, 150.0), (0.5, 0.0, 5.0, 100.0, 10.0)
+    there = kick_map_choice.nearness(made.field, 180.0, 258.0)
+    found = kick_map_choice.utility_of_way(made, (180.0, 158.0), 90.0, outcome)
+    assert found == pytest.approx(0.5 * there, rel=0.01)

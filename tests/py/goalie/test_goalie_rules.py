@@ -72,3 +72,10 @@ def test_a_goalie_goes_to_the_middle_when_the_ball_is_unseen_for_1_6_s(facts, mi
 def test_a_goalie_goes_to_its_line_when_the_ball_is_unseen_for_6_s(lost_for, on_line):
     place, field = guarded(lost_for)
     assert (place[1] < central_place(field)[1]) is on_line
+
+
+@pytest.mark.parametrize('speed, comes', [(9.0, False), (11.0, True)])
+def test_a_ball_that_rolls_at_10_cm_a_second_to_the_mouth_is_gone_into_the_way_of(speed, comes):
+    now = at_ball(21.0, -speed)
+    now.world.ball.stopping_point.y = 0.0
+    assert (goalie_rules.ball_comes(now, 'guard') is not None) is comes

@@ -3,6 +3,7 @@
 over examples with its k-d tree, and the ball on a string."""
 import math
 import random
+from types import SimpleNamespace
 
 import kelpie
 import pytest
@@ -198,3 +199,12 @@ def test_the_attackers_angle_counts_left_of_up_field(attacker, angle):
 def test_a_team_attacks_that_has_the_ball_or_is_nearer(holds, opponents, ball_y, yes):
     others = [kelpie.OpponentEstimate(position=kelpie.Point2(x=x, y=y)) for x, y in opponents]
     assert regressed.attacks((180, ball_y), (180, 140), holds, others, FIELD) == yes
+
+
+@pytest.mark.parametrize('answer, place', [
+    ((-5.0, -5.0), (20.0, 20.0)), ((400.0, 600.0), (340.0, 520.0))])
+def test_a_place_by_examples_is_20_cm_inside_the_lines_and_before_the_own_box(answer, place):
+    model = regressed.RegressedPositions(EXAMPLES[:4])
+    model.regression = SimpleNamespace(answer=lambda *asked: (*answer, 1.0, 0.0))
+    before_box = FIELD.box_depth if answer[1] < 0.0 else 0.0
+    assert model.place(FIELD, (180.0, 270.0), 0.0, True, 0)[:2] == (place[0], place[1] + before_box)
