@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "tools/cli/JsonText.h"
 #include "tools/live/Base64.h"
 
 namespace kelpie::live {
@@ -17,13 +18,8 @@ constexpr std::uint8_t kMessageData = 1;  // opcode of a binary message from the
 constexpr int kInfo = 0;                  // levels of a status message
 constexpr int kWarning = 1;
 
-// What is no UTF-8, as in the topics of a damaged log, is replaced.
-std::string textOf(const json& message) {
-  return message.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
 std::string statusText(int level, const std::string& line) {
-  return textOf({{"op", "status"}, {"level", level}, {"message", line}});
+  return cli::jsonText({{"op", "status"}, {"level", level}, {"message", line}});
 }
 
 // Empty where there is no text of that name.
@@ -64,11 +60,11 @@ std::vector<std::uint32_t> numbersIn(const json& message, const char* key) {
 
 // A viewer that connects again to another match, or to another server, must know.
 std::string Hub::infoText() const {
-  return textOf({{"op", "serverInfo"},
-                 {"name", name_},
-                 {"capabilities", json::array()},
-                 {"metadata", json::object()},
-                 {"sessionId", std::to_string(session_)}});
+  return cli::jsonText({{"op", "serverInfo"},
+                        {"name", name_},
+                        {"capabilities", json::array()},
+                        {"metadata", json::object()},
+                        {"sessionId", std::to_string(session_)}});
 }
 
 std::string Hub::offerText(Id first) const {
@@ -83,7 +79,7 @@ std::string Hub::offerText(Id first) const {
                         {"schema", bytes ? base64(channel.type.schema) : channel.type.schema},
                         {"schemaEncoding", channel.type.schemaEncoding}});
   }
-  return textOf({{"op", "advertise"}, {"channels", channels}});
+  return cli::jsonText({{"op", "advertise"}, {"channels", channels}});
 }
 
 void Hub::enter(web::Peer& peer) {
@@ -172,7 +168,7 @@ void Hub::restart() {
   byTopic_.clear();
   for (auto& [peer, watcher] : peers_) {
     watcher.subscriptions.clear();
-    peer->sayText(textOf({{"op", "unadvertise"}, {"channelIds", gone}}));
+    peer->sayText(cli::jsonText({{"op", "unadvertise"}, {"channelIds", gone}}));
     peer->sayText(infoText());
     peer->sayText(offerText(firstOffered_));
   }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/studio/Site.h"
 
-#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "robot/core/NumberText.h"
+#include "tools/cli/JsonText.h"
 #include "tools/studio/BodyJson.h"
 #include "tools/studio/FrameVision.h"
 #include "tools/studio/OrderJson.h"
@@ -24,8 +25,7 @@ constexpr const char* kNoPage =
     "installs from Debian).\n";
 
 Answer jsonAnswer(const json& value, unsigned status = 200) {
-  Answer answer =
-      textAnswer(status, value.dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
+  Answer answer = textAnswer(status, cli::jsonText(value) + "\n");
   answer.type = "application/json";
   return answer;
 }
@@ -43,17 +43,9 @@ std::string typeOf(const std::string& path) {
   return "application/octet-stream";
 }
 
-std::optional<std::int64_t> wholeNumber(const std::string& text) {
-  std::int64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end || text.empty()) return std::nullopt;
-  return value;
-}
-
 // The log that a path such as /logs/3 names.
 const ShelvedLog* logOf(const std::string& path, const std::vector<ShelvedLog>& logs) {
-  const auto number = wholeNumber(path.substr(path.rfind('/') + 1));
+  const auto number = numberFrom<std::int64_t>(path.substr(path.rfind('/') + 1));
   if (!number || *number < 0 || *number >= static_cast<std::int64_t>(logs.size())) return nullptr;
   return &logs[static_cast<std::size_t>(*number)];
 }
@@ -128,7 +120,8 @@ Answer Site::log(const Request& request) const {
 Answer Site::frame(const Request& request) const {
   const ShelvedLog* const log = logOf(request.path, parts_.shelf.logs());
   const auto found = request.query.find("time");
-  const auto time = found == request.query.end() ? std::nullopt : wholeNumber(found->second);
+  const auto time =
+      found == request.query.end() ? std::nullopt : numberFrom<std::int64_t>(found->second);
   if (log == nullptr || !time) return textAnswer(404, "there is no such frame\n");
   const TimeUs at{time.value_or(0)};
   if (startsWith(request.path, "/api/classes/")) {

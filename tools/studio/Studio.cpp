@@ -4,10 +4,10 @@
 #include <sys/resource.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
+#include "tools/cli/JsonText.h"
 #include "tools/cli/Version.h"
 #include "tools/live/Feed.h"
 #include "tools/session/MatchFolder.h"
@@ -84,8 +84,7 @@ Status Studio::Parts::begin() {
 void Studio::Parts::passLines() {
   if (!options.link) return;
   for (const std::string& line : options.link->takeLines()) {
-    const std::string text = nlohmann::json({{"line", line}})
-                                 .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const std::string text = cli::jsonText({{"line", line}});
     studio.offer(kLineTopic, {"kelpie.Line", "jsonschema", "{}", "json"}, true);
     studio.publish(kLineTopic, live::wallTime(), text.data(), text.size());
     viewers.say(line);

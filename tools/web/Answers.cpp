@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "robot/core/NumberText.h"
 #include "tools/web/Site.h"
 
 namespace kelpie::web {
@@ -17,14 +17,6 @@ struct Part {
   std::uint64_t last = 0;
 };
 
-std::optional<std::uint64_t> numberIn(const std::string& digits) {
-  std::uint64_t value = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [rest, error] = std::from_chars(digits.data(), end, value);
-  if (error != std::errc() || rest != end || digits.empty()) return std::nullopt;
-  return value;
-}
-
 // A range in another unit is not looked at (RFC 9110, 14.2).
 constexpr std::string_view kUnit = "bytes=";
 bool isInBytes(const std::string& range) { return range.compare(0, kUnit.size(), kUnit) == 0; }
@@ -36,8 +28,8 @@ std::optional<Part> partOf(const std::string& range, std::uint64_t size) {
   if (dash == std::string::npos || size == 0) return std::nullopt;
   const std::string from = range.substr(kUnit.size(), dash - kUnit.size());
   const std::string to = range.substr(dash + 1);
-  const auto first = numberIn(from);
-  const auto last = numberIn(to);
+  const auto first = numberFrom<std::uint64_t>(from);
+  const auto last = numberFrom<std::uint64_t>(to);
   if (from.empty() && last && *last > 0) return Part{size - std::min(size, *last), size - 1};
   if (!first || *first >= size || (!to.empty() && (!last || *last < *first))) return std::nullopt;
   return Part{*first, last ? std::min(*last, size - 1) : size - 1};

@@ -3,31 +3,27 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
+#include "robot/core/NumberText.h"
 
 namespace kelpie::sim {
 namespace {
 
 using Kind = LiveOrder::Kind;
 
-// The whole text as a number of the type; nothing else.
-template <class T>
-bool readNumber(const std::string& text, T& number) {
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && rest == end && !text.empty();
-}
-
 Expected<LiveOrder> stepFrom(const std::string& text, LiveOrder order) {
-  if (!readNumber(text, order.images) || order.images < 1 || order.images > kMaxStep)
+  const auto images = numberFrom<int>(text);
+  if (!images || *images < 1 || *images > kMaxStep)
     return Error{fmt::format("'step {}': a step has 1 to {} images", text, kMaxStep)};
+  order.images = *images;
   return order;
 }
 
 Expected<LiveOrder> speedFrom(const std::string& text, LiveOrder order) {
-  if (!readNumber(text, order.speed) || !(order.speed >= 0.0 && order.speed <= kMaxSpeed))
+  const auto speed = numberFrom<double>(text);
+  if (!speed || !(*speed >= 0.0 && *speed <= kMaxSpeed))
     return Error{
         fmt::format("'speed {}': a speed is 0 to {:g} times the clock's", text, kMaxSpeed)};
+  order.speed = *speed;
   return order;
 }
 
