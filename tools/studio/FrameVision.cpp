@@ -9,10 +9,10 @@
 #include "robot/agent/log/FrameMessages.h"
 #include "robot/core/fields/FieldCheck.h"
 #include "tools/cli/log/Logs.h"
+#include "tools/match/ClassDrawing.h"
 #include "tools/picture/PngFile.h"
 #include "tools/studio/RefusedBlobs.h"
 #include "vision/Vision.h"
-#include "vision/pixels/ClassPicture.h"
 
 namespace kelpie::studio {
 namespace {
@@ -99,14 +99,8 @@ Expected<std::string> refusedJson(const std::string& log, TimeUs time) {
 Status drawClasses(const std::string& log, TimeUs time, const std::string& out) {
   const auto frame = frameAt(log, time);
   if (!frame) return Error{frame.error()};
-  const auto plane = std::make_unique<vision::ClassPlane>();
-  vision::classifyWhole(frame->input->image, frame->config->calibration, *plane);
-  cv::Mat picture(kImageHeight, kImageWidth, CV_8UC3);
-  for (std::size_t i = 0; i < plane->size(); ++i) {
-    const vision::Rgb c = vision::kColourPalette[(*plane)[i]];
-    picture.ptr<cv::Vec3b>()[i] = {c.b, c.g, c.r};
-  }
-  return picture::writePng(out, picture);
+  const auto tables = std::make_unique<vision::PixelTables>(frame->config->calibration);
+  return picture::writePng(out, match::drawClasses(frame->input->image, *tables));
 }
 
 }  // namespace kelpie::studio

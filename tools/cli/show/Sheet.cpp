@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
+#include "tools/match/ClassDrawing.h"
 #include "tools/match/Draw.h"
-#include "vision/pixels/ClassPicture.h"
 
 namespace kelpie::cli {
 namespace {
@@ -44,11 +44,6 @@ void panel(cv::Mat& sheet, const cv::Mat& picture, cv::Point where, const std::s
   picture.copyTo(sheet(cv::Rect(where.x, where.y + kHeading, picture.cols, picture.rows)));
 }
 
-cv::Vec3b inkOf(std::uint8_t number) {
-  const vision::Rgb c = vision::kColourPalette[number];
-  return {c.b, c.g, c.r};
-}
-
 cv::Mat enlarged(const cv::Mat& picture) {
   cv::Mat large;
   cv::resize(picture, large, {}, kScale, kScale, cv::INTER_NEAREST);
@@ -56,11 +51,7 @@ cv::Mat enlarged(const cv::Mat& picture) {
 }
 
 cv::Mat classPanel(const SheetIn& in) {
-  vision::ClassPlane plane{};
-  vision::classifyWhole(in.input.image, in.vision.tables, plane);
-  cv::Mat picture(kImageHeight, kImageWidth, CV_8UC3);
-  for (std::size_t i = 0; i < plane.size(); ++i) picture.ptr<cv::Vec3b>()[i] = inkOf(plane[i]);
-  return enlarged(picture);
+  return enlarged(drawClasses(in.input.image, in.vision.tables));
 }
 
 void drawBlobs(cv::Mat& picture, const vision::BlobBuffer& blobs) {
@@ -84,7 +75,7 @@ cv::Mat lookedPanel(const SheetIn& in) {
     const auto grey = static_cast<std::uint8_t>(in.input.image.y[i] / 4);
     const std::uint8_t known = in.vision.classes.looked(i);
     picture.ptr<cv::Vec3b>()[i] =
-        known == vision::kNotLookedAt ? cv::Vec3b(grey, grey, grey) : inkOf(known);
+        known == vision::kNotLookedAt ? cv::Vec3b(grey, grey, grey) : inkOfClass(known);
   }
   cv::Mat large = enlarged(picture);
   drawBlobs(large, in.vision.blobs);
@@ -149,7 +140,7 @@ void writeClasses(cv::Mat& sheet, cv::Point where) {
   write(sheet, "classes:", where, kFaint);
   where.x += 80;
   for (std::size_t i = 0; i < vision::kColourClassCount; ++i) {
-    const cv::Vec3b c = inkOf(static_cast<std::uint8_t>(i));
+    const cv::Vec3b c = inkOfClass(static_cast<std::uint8_t>(i));
     const cv::Rect patch(where.x, where.y - 11, 14, 14);
     cv::rectangle(sheet, patch, cv::Scalar(c[0], c[1], c[2]), cv::FILLED);
     cv::rectangle(sheet, patch, kFaint, 1);
