@@ -75,4 +75,14 @@ Status useTeams(const TeamPlan& plan, SessionOptions& options) {
   return Done{};
 }
 
+std::vector<host::AgentHello> robotsOf(const SessionOptions& options) {
+  const auto hello = [](const std::string& team, int player) {
+    return host::AgentHello{team == "red" ? TeamColour::red : TeamColour::blue,
+                            static_cast<std::uint8_t>(player)};
+  };
+  std::vector<host::AgentHello> robots = {hello(options.team, options.player)};
+  for (const OtherRobot& other : options.others) robots.push_back(hello(other.team, other.player));
+  return robots;
+}
+
 }  // namespace kelpie::cli

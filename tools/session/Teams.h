@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "robot/core/Expected.h"
 #include "tools/session/SessionOptions.h"
@@ -25,5 +26,8 @@ Expected<TeamPlan> teamPlan(const std::string& robots);
 // logged is the first forward of `options.team`, or of the other one when that is empty. An error
 // names a folder that holds neither behaviours nor parameters.
 Status useTeams(const TeamPlan& plan, SessionOptions& options);
+
+// Every robot of a session, the one that is watched first.
+std::vector<host::AgentHello> robotsOf(const SessionOptions& options);
 
 }  // namespace kelpie::cli

@@ -216,21 +216,14 @@ Status addController(PlayOptions& options) {
   return Done{};
 }
 
-host::AgentHello helloOf(const std::string& team, int player) {
-  return {team == "red" ? TeamColour::red : TeamColour::blue, static_cast<std::uint8_t>(player)};
-}
-
 // The world would refuse the same, but only after the start.
 Status stage(PlayOptions& options) {
   SessionOptions& session = options.session;
   const auto staging = sim::stagingFrom(options.staging);
   if (!staging) return Error{staging.error()};
   session.staging = *staging;
-  std::vector<host::AgentHello> robots = {helloOf(session.team, session.player)};
-  for (const OtherRobot& other : session.others)
-    robots.push_back(helloOf(other.team, other.player));
   const auto setup = sim::stagedScenario(session.scenario, *body::fieldDescription(session.field),
-                                         robots, session.seed, session.staging);
+                                         robotsOf(session), session.seed, session.staging);
   return setup ? Status(Done{}) : Status(Error{setup.error()});
 }
 

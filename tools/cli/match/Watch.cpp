@@ -3,27 +3,18 @@
 
 #include <chrono>
 #include <filesystem>
+#include <thread>
 #include <utility>
 
 #include "tools/cli/Process.h"
 #include "tools/cli/options/Config.h"
 #include "tools/cli/options/ServeOptions.h"
+#include "tools/session/Teams.h"
 
 namespace kelpie::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-host::AgentHello robotOf(const std::string& team, int player) {
-  return {team == "red" ? TeamColour::red : TeamColour::blue, static_cast<std::uint8_t>(player)};
-}
-
-std::shared_ptr<studio::MatchLink> linkTo(const SessionOptions& session) {
-  std::vector<host::AgentHello> robots = {robotOf(session.team, session.player)};
-  for (const OtherRobot& other : session.others)
-    robots.push_back(robotOf(other.team, other.player));
-  return std::make_shared<studio::MatchLink>(*body::fieldDescription(session.field), robots);
-}
 
 // A zip of them is shown to nobody.
 std::map<std::string, std::string> behavioursOf(const SessionOptions& session) {
@@ -58,15 +49,8 @@ void prepareWatched(const WatchOptions& options, SessionOptions& session) {
 }
 
 Watch::Watch(const WatchOptions& options, std::shared_ptr<studio::MatchLink> link,
-             std::unique_ptr<studio::Studio> studio)
-    : options_(options), link_(std::move(link)), studio_(std::move(studio)) {
-  thread_ = std::thread([this] { studio_->run([this] { return over_.load(); }); });
-}
-
-Watch::~Watch() {
-  over_ = true;
-  thread_.join();
-}
+             std::unique_ptr<studio::StudioThread> studio)
+    : options_(options), link_(std::move(link)), studio_(std::move(studio)) {}
 
 Expected<std::unique_ptr<Watch>> Watch::begin(const WatchOptions& options,
                                               const SessionOptions& session,
@@ -74,10 +58,11 @@ Expected<std::unique_ptr<Watch>> Watch::begin(const WatchOptions& options,
   studio::StudioOptions served;
   served.web = options.web;
   served.folder = folder;
-  const auto link = linkTo(session);
+  const auto link = std::make_shared<studio::MatchLink>(*body::fieldDescription(session.field),
+                                                        robotsOf(session));
   if (options.studio) served.link = link;
   if (options.studio) served.behaviours = behavioursOf(session);
-  auto studio = studio::Studio::open(served);
+  auto studio = studio::StudioThread::begin(served);
   if (!studio) return Error{studio.error()};
   return std::unique_ptr<Watch>(new Watch(options, link, std::move(*studio)));
 }

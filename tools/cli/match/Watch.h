@@ -3,14 +3,12 @@
 // studio's page, whose user may also order the match about, and for viewers.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "tools/cli/options/CommandLine.h"
 #include "tools/session/Session.h"
-#include "tools/studio/Studio.h"
+#include "tools/studio/StudioThread.h"
 
 namespace kelpie::cli {
 
@@ -32,9 +30,6 @@ class Watch {
   static Expected<std::unique_ptr<Watch>> begin(const WatchOptions& options,
                                                 const SessionOptions& session,
                                                 const std::string& folder);
-  ~Watch();
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
 
   // Where people find it, a line for each way.
   std::vector<std::string> lines() const;
@@ -45,13 +40,11 @@ class Watch {
 
  private:
   Watch(const WatchOptions& options, std::shared_ptr<studio::MatchLink> link,
-        std::unique_ptr<studio::Studio> studio);
+        std::unique_ptr<studio::StudioThread> studio);
 
   WatchOptions options_;
   std::shared_ptr<studio::MatchLink> link_;
-  std::unique_ptr<studio::Studio> studio_;
-  std::atomic<bool> over_{false};
-  std::thread thread_;
+  std::unique_ptr<studio::StudioThread> studio_;
 };
 
 }  // namespace kelpie::cli

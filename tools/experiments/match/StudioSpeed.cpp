@@ -4,12 +4,10 @@
 // watched. By the clock, in a Chromium that draws in software: figures of one's own PC, never a
 // test. Needs node, Chromium and the built page.
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "tools/cli/Process.h"
 #include "tools/cli/RunDirectory.h"
@@ -18,7 +16,7 @@
 #include "tools/session/MatchFolder.h"
 #include "tools/session/Session.h"
 #include "tools/session/Teams.h"
-#include "tools/studio/Studio.h"
+#include "tools/studio/StudioThread.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -47,35 +45,14 @@ Expected<cli::SessionOptions> match(const Request& request, const cli::MatchFold
   return session;
 }
 
-// Serves a folder from a thread of its own, as `kelpie studio` and `kelpie play --live` do.
-class Served {
- public:
-  static Expected<std::unique_ptr<Served>> begin(const std::string& folder, bool recorded) {
-    studio::StudioOptions options;
-    options.web.port = 0;
-    options.folder = folder;
-    if (recorded) options.logs = {folder};
-    auto studio = studio::Studio::open(options);
-    if (!studio) return Error{studio.error()};
-    return std::unique_ptr<Served>(new Served(std::move(*studio)));
-  }
-  ~Served() {
-    over_ = true;
-    thread_.join();
-  }
-  Served(const Served&) = delete;
-  Served& operator=(const Served&) = delete;
-  std::string url() const { return studio_->url(); }
-
- private:
-  explicit Served(std::unique_ptr<studio::Studio> studio) : studio_(std::move(studio)) {
-    thread_ = std::thread([this] { studio_->run([this] { return over_.load(); }); });
-  }
-
-  std::unique_ptr<studio::Studio> studio_;
-  std::atomic<bool> over_{false};
-  std::thread thread_;
-};
+// As `kelpie studio` and `kelpie play --live` do.
+Expected<std::unique_ptr<studio::StudioThread>> served(const std::string& folder, bool recorded) {
+  studio::StudioOptions options;
+  options.web.port = 0;
+  options.folder = folder;
+  if (recorded) options.logs = {folder};
+  return studio::StudioThread::begin(options);
+}
 
 Expected<std::string> play(const cli::SessionOptions& session) {
   cli::SessionTalk quiet;
@@ -113,9 +90,9 @@ Expected<Json> openMatch(const Request& request, const std::string& scratch) {
   const auto session = match(request, *folder, 60.0 * minutes, request.seed);
   const auto played = session ? play(*session) : Error{session.error()};
   if (!played) return Error{played.error()};
-  const auto served = Served::begin(folder->path(), true);
-  if (!served) return Error{served.error()};
-  return lookAt((*served)->url(), request.seed);
+  const auto studio = served(folder->path(), true);
+  if (!studio) return Error{studio.error()};
+  return lookAt((*studio)->url(), request.seed);
 }
 
 enum class Watched { nobody, two, deaf };
@@ -128,9 +105,9 @@ Expected<double> watchedMatch(const Request& request, const std::string& scratch
   auto session = match(request, *folder, kWatchedSeconds, seed);
   if (!session) return Error{session.error()};
   session->live = true;
-  const auto served = Served::begin(folder->path(), false);
-  if (!served) return Error{served.error()};
-  const std::string url = (*served)->url() + (watched == Watched::deaf ? "/live" : "/");
+  const auto studio = served(folder->path(), false);
+  if (!studio) return Error{studio.error()};
+  const std::string url = (*studio)->url() + (watched == Watched::deaf ? "/live" : "/");
   std::vector<cli::Process> viewers;
   const std::vector<std::string> words = {std::string(kPage) + "watch.mjs", url,
                                           watched == Watched::deaf ? "deaf" : "all"};

@@ -175,7 +175,7 @@ export class CameraPanel {
       x >= l && x <= r && y >= t && y <= b;
     const refused = this.refused.filter(({ box }) => inside(...box));
     const box = this.boxes.find((b) => inside(b.left, b.top, b.right, b.bottom));
-    const reasons = refused.map(({ kind, reason }) => `${words(kind)}: ${words(reason)}`);
+    const reasons = refused.map(({ kind, reason }) => `${words(kind)}: ${reason}`);
     const said = reasons.length > 0 ? `Refused as ${reasons.join("; ")}.` : "";
     this.canvas.title = said || (box?.label ?? "");
     if (this.showRefused) text(this.said, said || "Point at a box to read why it was refused.");
