@@ -21,10 +21,11 @@ async function live(t, name, words = []) {
 async function pause(view) {
   await view.getByRole("button", { name: "Pause or resume the match" }).click();
   await view.locator("text=Resume match").waitFor();
-  for (let before = -1, now; ; before = now) {  // what was under way arrives yet
-    ({ time: now } = await report(view));
-    if (now === before) return;
-    await view.waitForTimeout(2000);
+  for (let before = -1, same = 0; same < 3; ) {  // what was under way arrives yet
+    const { time } = await report(view);
+    same = time === before ? same + 1 : 0;
+    before = time;
+    await view.waitForTimeout(1500);
   }
 }
 
