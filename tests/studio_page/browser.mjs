@@ -87,11 +87,21 @@ export const report = (view) => view.evaluate(() => {
     notes: [...now.notes] };
 });
 
+// The report, or nothing while the page loads itself anew, as it does when another match begins.
+async function reportUnlessLoading(view) {
+  try {
+    return await report(view);
+  } catch (error) {
+    if (/context was destroyed/.test(error.message)) return undefined;
+    throw error;
+  }
+}
+
 // Until the report is as wanted; fails with the last one after half a minute.
 export async function until(view, wanted) {
   let last;
   for (let i = 0; i < 300; ++i) {
-    last = await report(view);
+    last = await reportUnlessLoading(view);
     if (last && wanted(last)) return last;
     await view.waitForTimeout(100);
   }

@@ -111,9 +111,8 @@ test("a match that is killed and begun again is followed again by the same page"
   const first = await started(t, words);
   await until(view, running);
   first.end("SIGKILL");
-  await until(view, (now) => now.notes.some((note) => /over/.test(note)));
+  const { time } = await until(view, (now) => now.notes.some((note) => /over/.test(note)));
   await started(t, words);
-  const { time } = await report(view);
   await until(view, (now) => now.counts.robots === 2 && now.time !== time && now.time < 20 &&
     now.time > 1);
 });
