@@ -14,6 +14,8 @@ namespace kelpie::behaviour {
 // The part of `world` that is fixed before the match.
 struct Task {
   PlayerKind player = PlayerKind::forward;
+  RuleSet rules = RuleSet::kelpie;  // thesis: its rules alone, whatever stands in kicks, aiming,
+                                    // search and intercept
   std::array<double, 10> points{};  // cm on the field: x, y of the challenge's five points
   bool grab = true;                 // the ball is grabbed where the decision tree says so
   KickChoice kicks = KickChoice::map;
@@ -31,6 +33,7 @@ struct Task {
   template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("player", &Task::player, "", 0, kPlayerKindCount - 1),
+                     field("rules", &Task::rules, "", 0, kRuleSetCount - 1),
                      field("points", &Task::points, "cm", -1000, 2000), field("grab", &Task::grab),
                      field("kicks", &Task::kicks, "", 0, kKickChoiceCount - 1),
                      field("aiming", &Task::aiming, "", 0, kAimingCount - 1),

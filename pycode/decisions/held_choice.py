@@ -7,7 +7,7 @@
 import kelpie
 from decisions import kick_choice, kick_map_choice, passing
 from decisions.kick_choice import Hold
-from lib import kick_table
+from lib import kick_table, rulebook
 from lib.geom import wrap
 from situation.aim import mouth
 from situation.memory import own_goal_at
@@ -62,7 +62,7 @@ class HeldChoice:
         return kick, 'pass to player {}: worth {}, own kick {}', player, utility, own
 
     def alone(self, world, dribble, overdue):
-        if world.task.kicks == kelpie.KICKS_BY_MAP:
+        if rulebook.by_kick_map(world):
             return kick_map_choice.choose(world, dribble, overdue)
         strike = UPENN_PLANS.get(dribble.plan)
         if strike is not None:

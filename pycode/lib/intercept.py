@@ -5,6 +5,7 @@
 # obstacles and no bounce.
 import math
 
+from lib import rulebook
 from lib.geom import Point, frame_of, heading, in_frame
 
 DRAG = 0.76             # 1/s
@@ -95,7 +96,7 @@ def meeting(world) -> Point:
 
 def target(world) -> Point:
     """Where to walk for the ball; the ball itself when intercepts are switched off."""
-    if world.task.intercept:
+    if rulebook.intercepts(world):
         return meeting(world)
     return world.ball.relative.x, world.ball.relative.y
 

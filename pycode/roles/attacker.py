@@ -9,6 +9,7 @@ from arbiter.rules import RuleMachine
 from decisions import tree
 from decisions.held_choice import HeldChoice
 from decisions.leaf_by_map import LeafByMap
+from lib import rulebook
 from lib.geom import from_field, heading
 from lib.steer import towards
 from situation.at_ball import Situation
@@ -240,7 +241,7 @@ class Attacker(RuleMachine):
         situation = Situation(world, self.contested.now, self.memory.approach_lost < 3)
         leaf, self.tree_place, *why = tree.decide(situation)
         self.tree_leaf, self.tree_why = leaf, tuple(why)
-        if world.task.kicks == kelpie.KICKS_BY_MAP and world.task.grab:
+        if rulebook.by_kick_map(world) and world.task.grab:
             leaf, *why = self.by_map.choose(world, situation, leaf, self.leaf)
         if leaf in tree.WITH_GRAB and not world.task.grab:
             leaf = LINE_UP

@@ -3,7 +3,7 @@
 # locked until the shot, carried along by odometry while it is out of sight; else the mouth as the
 # pose has it. Keeps the locked side, the gap's headings, since when it was not seen, and how many
 # frames were aimed. By the pose alone it is as wrong as the pose.
-import kelpie
+from lib import rulebook
 from lib.geom import from_field, heading, wrap
 from situation.goal import sure
 from situation.memory import target_goal
@@ -61,7 +61,7 @@ class Aim:
     def update(self, world) -> None:
         """One frame: looks for the gap, then counts whether the robot points into it."""
         self.lost += 1
-        seen = gaps_of(world) if world.task.aiming == kelpie.AIMING_BY_SIGHT else (None, None)
+        seen = gaps_of(world) if rulebook.aims_by_sight(world) else (None, None)
         if seen != (None, None):
             self._lock(*seen)
         elif self.gap is not None and self.lost <= CARRIED_FRAMES and self.by_sight:

@@ -9,6 +9,7 @@ import math
 
 import kelpie
 from arbiter.machine import Machine
+from lib import rulebook
 from lib.geom import Point, clamp, heading, moved, polar
 from lib.steer import aim_at, towards
 from situation.memory import NEVER, Memory
@@ -99,7 +100,7 @@ class FindBall(Machine):
     def step(self, world) -> kelpie.Command:
         self.carry(world)
         step, reason, number = first_step(self.situation(world))
-        if world.task.search == kelpie.SEARCH_BY_SPIN:
+        if rulebook.only_spins(world):
             step, reason, number = 'spin', 'told to spin only, unseen for {} frames', number
         if self.entered_s is None or self.state.__name__ != step:
             self.enter(world, getattr(self, step), None, reason, number)
@@ -215,9 +216,9 @@ class FindBall(Machine):
 
     def spin(self, world) -> kelpie.Command:
         if self.spinning.turned == 0.0:
-            only = world.task.search == kelpie.SEARCH_BY_SPIN
+            only = rulebook.only_spins(world)
             self.spinning = SpinForBall(self.memory, self.side, 1.0 if only else SPIN_TIMES)
-        unseen = 0.0 if world.task.search == kelpie.SEARCH_BY_SPIN else (
+        unseen = 0.0 if rulebook.only_spins(world) else (
             self.explored.next_unseen(self.spinning.side))
         return self.spinning.step(world, (self.away(world), unseen))
 

@@ -8,7 +8,7 @@ import math
 
 import kelpie
 from arbiter.machine import Machine
-from lib import hints
+from lib import hints, rulebook
 from lib.geom import clamp, wrap
 from situation.aim import Aim
 from situation.goal import UP_FIELD_DEG
@@ -121,7 +121,7 @@ class GrabDribble(Machine):
         seconds = self.hold.seconds(world)
         if seconds > TIME_OUT:
             return True
-        sooner = (world.task.kicks == kelpie.KICKS_BY_MAP and
+        sooner = (rulebook.by_kick_map(world) and
                   self.state not in (self.settle, self.steady, self.off_edge))
         return sooner and seconds > BLOCKED_OUT and in_the_way(world)
 
@@ -184,7 +184,7 @@ class GrabDribble(Machine):
 
     def over_turns(self, world) -> bool:
         """Far from the goal, which is not where the pose says (section 6.4.3): some frames more."""
-        return (world.task.aiming == kelpie.AIMING_BY_SIGHT and self.aim.aimed and
+        return (rulebook.aims_by_sight(world) and self.aim.aimed and
                 not self.aim.by_sight and self.over_turned < OVER_TURN and
                 world.pose.position.y < OVER_TURN_Y)
 
