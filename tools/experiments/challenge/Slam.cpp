@@ -6,8 +6,7 @@
 // this is ours, as small as what the thesis calls the accuracy of its map.
 #include <algorithm>
 
-#include "robot/core/Random.h"
-#include "tools/cli/options/Config.h"
+#include "tools/experiments/challenge/Challenge.h"
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/harness/Trace.h"
 #include "tools/experiments/pose/LocaliseFilters.h"
@@ -15,73 +14,8 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kStage1 = 60.0;  // s
-constexpr double kHalt = 2.0;
-constexpr double kStage2 = 120.0;
-constexpr double kRadius = 15.0;      // cm from a point that counts
-constexpr double kGhost = 30.0;       // cm from every pink paper
-constexpr double kSlant = 8.0;        // cm of the wall's corners
-constexpr double kMeasured = 1.0;     // cm, sd of the corners as given to the robot
-constexpr double kStartReach = 80.0;  // cm from the middle at the start
-constexpr double kFromLines = 40.0;   // cm, of the points and of the place carried to
-constexpr double kMinBetween = 80.0;  // cm between two points
-constexpr std::size_t kPoints = 5;
-
-using Points = std::vector<Point2<Field>>;
-
-struct Setup {
-  sim::OuterWall wall;
-  Points points;
-  Pose2 start;
-  Pose2 carried;
-  std::array<double, 8> measured{};  // the wall's corners
-};
-
-Point2<Field> somewhere(const body::FieldDescription& field, Random& random) {
-  const double x = random.uniform(kFromLines, field.width - kFromLines);
-  return {x, random.uniform(kFromLines, field.length - kFromLines)};
-}
-
-Angle anyHeading(Random& random) { return Angle::rad(random.uniform(-maths::kPi, maths::kPi)); }
-
-Points randomPoints(const body::FieldDescription& field, Random& random) {
-  Points points;
-  while (points.size() < kPoints) {
-    const Point2<Field> point = somewhere(field, random);
-    const bool near = std::any_of(points.begin(), points.end(), [&](Point2<Field> other) {
-      return distance(point, other) < kMinBetween;
-    });
-    if (!near) points.push_back(point);
-  }
-  return points;
-}
-
-Setup setupOf(const body::FieldDescription& field, std::uint64_t seed) {
-  Random random(seed ^ 0x51a4ULL);
-  Setup setup;
-  setup.wall = sim::outerWall(field, kSlant, random.next());
-  setup.points = randomPoints(field, random);
-  const double x = 0.5 * field.width + random.uniform(-kStartReach, kStartReach);
-  setup.start.position = {x, 0.5 * field.length + random.uniform(-kStartReach, kStartReach)};
-  setup.start.heading = anyHeading(random);
-  setup.carried.position = somewhere(field, random);
-  setup.carried.heading = anyHeading(random);
-  for (std::size_t i = 0; i < 4; ++i) {
-    setup.measured[2 * i] = setup.wall.corners[i].x + random.gaussian(0.0, kMeasured);
-    setup.measured[2 * i + 1] = setup.wall.corners[i].y + random.gaussian(0.0, kMeasured);
-  }
-  return setup;
-}
-
-void configure(const Setup& setup, agent::AgentConfig& config) {
-  config.vision.pink.onField = false;
-  config.gps.pinks.wall = setup.measured;
-  config.behaviour.task.player = PlayerKind::challenger;
-  for (std::size_t i = 0; i < kPoints; ++i) {
-    config.behaviour.task.points[2 * i] = setup.points[i].x;
-    config.behaviour.task.points[2 * i + 1] = setup.points[i].y;
-  }
-}
+constexpr double kRadius = 15.0;  // cm from a point that counts
+constexpr double kGhost = 30.0;   // cm from every pink paper
 
 double distanceToNearest(Point2<Field> place, const Points& all) {
   double shortest = 1e9;
@@ -304,43 +238,21 @@ void addPoints(const std::vector<Announcement>& announcements, const Points& poi
   }
 }
 
-Status halfTime(const Setup& setup, LocaliseMatch& match, const LocaliseMatch::Watcher& watch) {
-  match.halt(true);
-  const Status before = match.play(kStage1 + 0.5 * kHalt, watch);
-  if (!before) return before;
-  const Status hidden = match.world().takeLandmarksAway();
-  if (!hidden) return hidden;
-  const Status carried = match.world().carry(0, setup.carried);
-  if (!carried) return carried;
-  const Status after = match.play(kStage1 + kHalt, watch);
-  match.halt(false);
-  return after;
-}
-
-Expected<ChallengeResult> playChallenge(const Request& request, agent::AgentConfig config,
-                                        std::uint64_t seed) {
-  const Setup setup = setupOf(config.field, seed);
-  configure(setup, config);
-  LocaliseMatch match(config, cli::defaultScripts(), seed, request.randomised);
-  Status status = match.world().putUp(setup.wall);
-  if (!status) return Error{status.error()};
-  match.world().putBall({{4.0, 4.0}, {}});  // nobody plays with it
-  status = match.world().carry(0, setup.start);
-  if (!status) return Error{status.error()};
+Expected<ChallengeResult> mapAndReach(const Request& request, const agent::AgentConfig& config,
+                                      std::uint64_t seed) {
+  const Challenge challenge = challengeOf(config.field, seed);
   ChallengeRecorder recorder(request, "slam-" + std::to_string(seed));
-  const auto watcher = [&recorder](const WatchedFrame& frame) { recorder.frame(frame); };
-  status = match.play(kStage1, watcher);
-  if (!status) return Error{status.error()};
   ChallengeResult result;
   result.seed = seed;
-  addMap(recorder.world(), pinkPlaces(setup.wall), config.gps.pinks.minWeight, result);
-  status = halfTime(setup, match, watcher);
-  const double begin = kStage1 + kHalt;
-  for (double time = 1.0; status && time <= kStage2 && recorder.announcements().size() < kPoints;
-       time += 1.0)
-    status = match.play(begin + time, watcher);
-  if (!status) return Error{status.error()};
-  addPoints(recorder.announcements(), setup.points, result);
+  ChallengeWatch watch;
+  watch.frame = [&](const WatchedFrame& frame) { recorder.frame(frame); };
+  watch.mapped = [&] {
+    addMap(recorder.world(), pinkPlaces(challenge.wall), config.gps.pinks.minWeight, result);
+  };
+  watch.over = [&] { return recorder.announcements().size() >= kPoints; };
+  const Status played = playChallenge({config, seed, request.randomised}, challenge, watch);
+  if (!played) return Error{played.error()};
+  addPoints(recorder.announcements(), challenge.points, result);
   recorder.addPoses(result);
   return result;
 }
@@ -372,7 +284,7 @@ Expected<Json> slam(const Request& request) {
   const auto config = agentConfig(request);
   if (!config) return Error{config.error()};
   const auto results = trialsInChildProcesses(
-      request, [&](const Trial& trial) { return playChallenge(request, *config, trial.seed); });
+      request, [&](const Trial& trial) { return mapAndReach(request, *config, trial.seed); });
   if (!results) return Error{results.error()};
   Totals all;
   for (const ChallengeResult& one : *results) all.add(one);

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`kelpie evaluate thesis-rules`: its table of the theses' rules, and that each of them is played."""
+
+import json
+import re
+
+import pytest
+from conftest import ROOT, kelpie
+
+TABLE = json.loads((ROOT / "tools/experiments/team/thesis_rules.json").read_text())
+CHECKLIST = ROOT.parent / "shared/spec/checklist.md"
+ROW = re.compile(r"\| ((?:A-[456]|B-4)\.[0-9.]*[0-9]) \|")
+
+
+def test_it_has_every_row_of_behaviours_of_the_checklist():
+    if not CHECKLIST.exists():
+        pytest.skip("the checklist is not beside this tree")
+    rows = ROW.findall(CHECKLIST.read_text())
+    assert len(rows) > 150
+    assert [row["id"] for row in TABLE["rules"]] == rows
+
+
+@pytest.mark.parametrize("row", TABLE["rules"], ids=lambda row: row["id"])
+def test_a_row_has_the_steps_that_show_it_or_says_why_nobody_plays_it(row):
+    assert bool(row.get("steps")) != bool(row.get("unplayed"))
+
+
+def test_each_scene_is_of_some_row_and_each_row_s_scene_is_there():
+    scenes = [scene["name"] for scene in TABLE["scenes"]]
+    assert len(set(scenes)) == len(scenes)
+    assert {row["scene"] for row in TABLE["rules"] if "scene" in row} == set(scenes)
+
+
+def test_what_does_not_come_in_a_match_comes_in_its_scene(tmp_path):
+    out = tmp_path / "rules.json"
+    result = kelpie("evaluate", "thesis-rules", "--fast", "--minutes", "1", "--seed", "3",
+                    "--json", out, timeout=900)
+    assert result.returncode == 0, result.stderr
+    figures = json.loads(out.read_text())
+    assert figures["nowhere"] == []
+    assert figures["played_in_match"] > 90
+    rows = {row["id"]: row for row in figures["rows"]}
+    assert rows["A-4.1.1"]["times_per_match"] == 8       # robots, each in one stretch of frames
+    assert rows["B-4.1.4.1"]["times_per_match"] == 0     # nobody is a challenger in a match,
+    assert rows["B-4.1.4.1"]["times_in_scene"] == 1      # who is carried away once
+    assert rows["A-5.6.1"]["not_played"].startswith("FAILED")
