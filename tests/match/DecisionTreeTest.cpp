@@ -13,13 +13,26 @@ const behaviour::Rows kRows = {{"0", "", "", "near?", "False"},
                                {"0yn", "0y", "no", "turn", "True"},
                                {"0n", "0", "no", "turn", "True"}};
 
+TraceStep step(TraceLayer layer, const std::string& module, const std::string& branch) {
+  TraceStep made;
+  made.layer = layer;
+  made.module.assign(module);
+  made.branch.assign(branch);
+  return made;
+}
+
 Trace leaf(const std::string& module, const std::string& name) {
   Trace trace;
-  trace.resize(2);
-  trace[0].module.assign("attacker");
-  trace[0].branch.assign("play");
-  trace[1].module.assign(module);
-  trace[1].branch.assign(name);
+  trace.push_back(step(TraceLayer::role, "attacker", "play"));
+  trace.push_back(step(TraceLayer::decision, module, name));
+  return trace;
+}
+
+// The tree names one leaf, the kick map plays another, and a skill says what it does.
+Trace leafByMap(const std::string& module, const std::string& named, const std::string& played) {
+  Trace trace = leaf(module, named);
+  trace.push_back(step(TraceLayer::decision, "leaf_by_map", played));
+  trace.push_back(step(TraceLayer::skill, "grab_dribble", "walk_up"));
   return trace;
 }
 
@@ -49,10 +62,10 @@ TEST(DecisionTree, LeavesAreCountedByNameWhereNoPlaceIsGiven) {
   for (const char* name : {"turn", "turn", "kick", "turn"}) counter.take(leaf("tree", name));
   auto tree = *treeOf(kRows);
   EXPECT_FALSE(counter.putInto(tree));
-  EXPECT_EQ(tree.nodes[2].count.frames, 1U);
-  EXPECT_EQ(tree.nodes[3].count.frames, 3U);
-  EXPECT_EQ(tree.nodes[4].count.frames, 3U);
-  EXPECT_EQ(tree.nodes[4].count.times, 2U);
+  EXPECT_EQ(tree.nodes[2].count.named.frames, 1U);
+  EXPECT_EQ(tree.nodes[3].count.named.frames, 3U);
+  EXPECT_EQ(tree.nodes[4].count.named.frames, 3U);
+  EXPECT_EQ(tree.nodes[4].count.named.times, 2U);
 }
 
 TEST(DecisionTree, LeavesAreCountedAtThePlaceThatIsGiven) {
@@ -60,11 +73,42 @@ TEST(DecisionTree, LeavesAreCountedAtThePlaceThatIsGiven) {
   for (const char* module : {"tree 0yn", "tree 0yn", "tree 0n"}) counter.take(leaf(module, "turn"));
   auto tree = *treeOf(kRows);
   EXPECT_TRUE(counter.putInto(tree));
-  EXPECT_EQ(tree.nodes[3].count.frames, 2U);
-  EXPECT_EQ(tree.nodes[4].count.frames, 1U);
-  EXPECT_EQ(tree.nodes[1].count.frames, 2U) << "a question has those of its leaves";
-  EXPECT_EQ(tree.nodes[0].count.frames, 3U);
-  EXPECT_EQ(counter.byName().at("turn").times, 1U) << "the name did not change";
+  EXPECT_EQ(tree.nodes[3].count.named.frames, 2U);
+  EXPECT_EQ(tree.nodes[4].count.named.frames, 1U);
+  EXPECT_EQ(tree.nodes[1].count.named.frames, 2U) << "a question has those of its leaves";
+  EXPECT_EQ(tree.nodes[0].count.named.frames, 3U);
+  EXPECT_EQ(counter.byName().at("turn").named.times, 1U) << "the name did not change";
+}
+
+TEST(DecisionTree, PlayedIsWhatTheLastDecisionOfAFrameChose) {
+  LeafCounter counter;
+  counter.take(leaf("tree 0yy", "kick"));
+  counter.take(leafByMap("tree 0yy", "kick", "kick_ahead"));
+  counter.take(leafByMap("tree 0yy", "kick", "turn"));
+  counter.take(leafByMap("tree 0yy", "kick", "kick"));
+  counter.take(leaf("tree 0n", "turn"));
+  EXPECT_EQ(counter.byName().at("kick").named.frames, 4U);
+  EXPECT_EQ(counter.byName().at("kick").named.times, 1U);
+  EXPECT_EQ(counter.byName().at("kick").played.frames, 2U);
+  EXPECT_EQ(counter.byName().at("kick").played.times, 2U);
+  EXPECT_EQ(counter.byName().at("turn").named.frames, 1U);
+  EXPECT_EQ(counter.byName().at("turn").played.frames, 2U);
+  auto tree = *treeOf(kRows);
+  EXPECT_TRUE(counter.putInto(tree));
+  EXPECT_EQ(tree.nodes[2].count.named.frames, 4U);
+  EXPECT_EQ(tree.nodes[2].count.played.frames, 2U);
+  EXPECT_EQ(tree.nodes[2].count.played.times, 2U);
+  EXPECT_EQ(tree.nodes[4].count.played.frames, 1U) << "the map's turn came from another leaf";
+  EXPECT_EQ(tree.nodes[0].count.played.frames, 3U) << "of five, two were played otherwise";
+}
+
+TEST(DecisionTree, ALeafThatOnlyTheMapPlaysIsListed) {
+  LeafCounter counter;
+  for (int frame = 0; frame < 3; ++frame) counter.take(leafByMap("tree 0yy", "kick", "kick_ahead"));
+  EXPECT_EQ(counter.byName().at("kick_ahead").named.frames, 0U);
+  EXPECT_EQ(counter.byName().at("kick_ahead").played.frames, 3U);
+  EXPECT_EQ(counter.byName().at("kick_ahead").played.times, 1U);
+  EXPECT_EQ(counter.byName().at("kick").played.frames, 0U);
 }
 
 TEST(DecisionTree, FramesWithoutALeafEndIt) {
@@ -75,7 +119,7 @@ TEST(DecisionTree, FramesWithoutALeafEndIt) {
   counter.take(leaf("tree", "kick"));
   EXPECT_EQ(counter.frames(), 4U);
   EXPECT_EQ(counter.decided(), 2U);
-  EXPECT_EQ(counter.byName().at("kick").times, 2U);
+  EXPECT_EQ(counter.byName().at("kick").named.times, 2U);
 }
 
 TEST(DecisionTree, LeavesOfAnotherTreeCountNowhereInIt) {
@@ -83,7 +127,7 @@ TEST(DecisionTree, LeavesOfAnotherTreeCountNowhereInIt) {
   counter.take(leaf("tree 0yy", "swim"));
   auto tree = *treeOf(kRows);
   counter.putInto(tree);
-  for (const TreeNode& node : tree.nodes) EXPECT_EQ(node.count.frames, 0U);
+  for (const TreeNode& node : tree.nodes) EXPECT_EQ(node.count.named.frames, 0U);
 }
 
 TEST(DecisionTree, LongLeafNamesAreFoundAsTheTraceCutThem) {
@@ -92,13 +136,13 @@ TEST(DecisionTree, LongLeafNamesAreFoundAsTheTraceCutThem) {
   counter.take(leaf("tree", name));
   auto tree = *treeOf({{"0", "", "", name, "True"}});
   counter.putInto(tree);
-  EXPECT_EQ(tree.nodes[0].count.frames, 1U);
+  EXPECT_EQ(tree.nodes[0].count.named.frames, 1U);
 }
 
 TEST(DecisionTree, APictureHasALineForEachLeaf) {
   auto tree = *treeOf(kRows);
   const cv::Mat plain = drawTree(tree, 0, {});
-  tree.nodes[2].count = {5, 1};
+  tree.nodes[2].count = {{5, 1}, {3, 1}};
   const cv::Mat counted = drawTree(tree, 10, {"what it is"});
   EXPECT_GT(plain.rows, 3 * 18);
   EXPECT_GT(counted.rows, plain.rows);

@@ -16,6 +16,8 @@ def decide(world):
     leaf = 'kick' if world.frame < 20 else 'turn'
     why = [(kelpie.LAYER_PLAYER, 'forward', 'play', 'play is on'),
            (kelpie.LAYER_DECISION, 'tree', leaf, 'frame {}', world.frame)]
+    if 15 <= world.frame < 20:
+        why.append((kelpie.LAYER_DECISION, 'leaf_by_map', 'kick_ahead', 'worth it'))
     if world.task.player == kelpie.ONE_SKILL:
         return kelpie.Command(walk=kelpie.WalkRequest(forward=10.0))
     return kelpie.Command(trace=why if world.frame >= 5 else [])
@@ -83,6 +85,7 @@ def test_every_change_of_a_decision_is_a_line(log):
     assert result.returncode == 0, result.stderr
     lines = [line.split(" s  ", 1)[1] for line in result.stdout.splitlines()]
     assert lines == ["no reason given", "forward: play > tree: kick - play is on",
+                     "forward: play > tree: kick > leaf_by_map: kick_ahead - worth it",
                      "forward: play > tree: turn - frame 20"]
 
 
@@ -151,13 +154,15 @@ def test_a_logs_leaves_are_counted(log, pycode, tmp_path):
     result = kelpie("tree", log, "--pycode", pycode, "--out", out)
     assert result.returncode == 0, result.stderr
     rows = [line.split() for line in result.stdout.splitlines()]
-    frames = int(rows[0][-2])
-    counts = {row[3]: (int(row[0]), int(row[2])) for row in rows[1:3]}
-    assert counts == {"kick": (15, 1), "turn": (frames - 20, 1)}
+    assert " ".join(rows[0]) == "the tree named played"
+    frames = int(rows[1][-2])
+    counts = {row[6]: [int(row[at]) for at in (0, 2, 3, 5)] for row in rows[2:5]}
+    assert counts == {"kick": [15, 1, 10, 1], "turn": [frames - 20, 1, frames - 20, 1],
+                      "kick_ahead": [0, 0, 5, 1]}
     assert size_of(out)[0] > 100
 
 
-def test_leaves_of_another_tree_are_named(log, tmp_path):
+def test_leaves_that_are_not_in_the_tree_are_marked(log, tmp_path):
     result = kelpie("tree", log, "--out", tmp_path / "tree.png")
     assert result.returncode == 0, result.stderr
     assert "kick (not in this tree)" in result.stdout

@@ -32,6 +32,11 @@ void add(LeafCount& sum, const LeafCount& more) {
   sum.times += more.times;
 }
 
+void add(LeafCounts& sum, const LeafCounts& more) {
+  add(sum.named, more.named);
+  add(sum.played, more.played);
+}
+
 }  // namespace
 
 Expected<DecisionTree> treeOf(const behaviour::Rows& rows) {
@@ -58,23 +63,44 @@ Expected<DecisionTree> treeOf(const behaviour::Rows& rows) {
   return tree;
 }
 
+// Played is what the last decision of the frame chose, from the tree's on.
+std::optional<LeafCounter::Choice> LeafCounter::choiceOf(const Trace& trace) {
+  std::optional<Choice> choice;
+  for (const TraceStep& step : trace) {
+    const std::string branch(step.branch.view());
+    std::string place;
+    if (!choice && isTree(step.module.view(), place))
+      choice = Choice{{branch, place}, branch};
+    else if (choice && step.layer == TraceLayer::decision)
+      choice->played = branch;
+  }
+  return choice;
+}
+
+void LeafCounter::countNamed(const Choice& choice) {
+  LeafCount once{1, !last_ || choice.named != last_->named ? 1U : 0U};
+  add(counts_[choice.named].named, once);
+  once.times = !last_ || choice.named.first != last_->named.first ? 1U : 0U;
+  add(byName_[choice.named.first].named, once);
+}
+
+void LeafCounter::countPlayed(const Choice& choice) {
+  LeafCount once{1, !last_ || choice.played != last_->played ? 1U : 0U};
+  add(byName_[choice.played].played, once);
+  if (choice.played != choice.named.first) return;
+  once.times = once.times == 1 || choice.named != last_->named ? 1U : 0U;
+  add(counts_[choice.named].played, once);
+}
+
 void LeafCounter::take(const Trace& trace) {
   ++frames_;
-  Leaf leaf;
-  const bool found = std::any_of(trace.begin(), trace.end(), [&](const TraceStep& step) {
-    leaf.first = step.branch.view();
-    return isTree(step.module.view(), leaf.second);
-  });
-  if (!found) {
-    last_ = {};
-    return;
+  const std::optional<Choice> choice = choiceOf(trace);
+  if (choice) {
+    ++decided_;
+    countNamed(*choice);
+    countPlayed(*choice);
   }
-  ++decided_;
-  LeafCount once{1, leaf != last_ ? 1U : 0U};
-  add(counts_[leaf], once);
-  once.times = leaf.first != last_.first ? 1U : 0U;
-  add(byName_[leaf.first], once);
-  last_ = leaf;
+  last_ = choice;
 }
 
 bool LeafCounter::putInto(DecisionTree& tree) const {

@@ -55,12 +55,14 @@ class TreeDrawing {
  private:
   std::string wordsOf(const TreeNode& node) const {
     if (!node.leaf || frames_ == 0) return node.text;
-    if (node.count.frames == 0) return node.text + "  never";
+    const LeafCount& named = node.count.named;
+    if (named.frames == 0) return node.text + "  never";
     const auto counted = [](std::uint32_t count, const char* what) {
       return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
     };
-    return fmt::format("{}  {}, {:.1f} %; {}", node.text, counted(node.count.frames, "frame"),
-                       100.0 * node.count.frames / frames_, counted(node.count.times, "time"));
+    return fmt::format("{}  {}, {:.1f} %; {}; played in {}", node.text,
+                       counted(named.frames, "frame"), 100.0 * named.frames / frames_,
+                       counted(named.times, "time"), node.count.played.frames);
   }
 
   // A column is as wide as the longest question in it; leaves may reach over the next ones, where
@@ -90,7 +92,7 @@ class TreeDrawing {
     return {columns_[nodes_[i].depth], rows_[i] - kRow / 2 + 2, widthOf(words_[i]) + 2 * kPad,
             kRow - 4};
   }
-  bool taken(std::size_t i) const { return frames_ == 0 || nodes_[i].count.frames > 0; }
+  bool taken(std::size_t i) const { return frames_ == 0 || nodes_[i].count.named.frames > 0; }
 
   void drawEdges(cv::Mat& picture, std::size_t i) const {
     const cv::Rect box = boxOf(i);
@@ -108,7 +110,7 @@ class TreeDrawing {
 
   void drawNode(cv::Mat& picture, std::size_t i) const {
     const cv::Rect box = boxOf(i);
-    const double share = frames_ == 0 ? 0.0 : 1.0 * nodes_[i].count.frames / frames_;
+    const double share = frames_ == 0 ? 0.0 : 1.0 * nodes_[i].count.named.frames / frames_;
     const cv::Scalar fill = kCold + (kHot - kCold) * std::sqrt(share);
     cv::rectangle(picture, box, nodes_[i].leaf ? fill : kPaper, cv::FILLED);
     cv::rectangle(picture, box, taken(i) ? kInk : kFaint);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A decision tree drawn from left to right: questions, the answers that lead on, and leaves, each
-// on a line of its own. With counts, a leaf is the brighter the more frames it took.
+// on a line of its own. With counts, a leaf is the brighter the more frames the tree named it in.
 #pragma once
 
 #include <opencv2/core.hpp>

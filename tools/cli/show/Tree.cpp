@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The behaviours' decision tree as a picture, with how often a log's robot took each leaf.
+// The behaviours' decision tree as a picture, with how often in a log the tree named
+// each leaf and how often it was played.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -34,20 +35,28 @@ Expected<DecisionTree> askTree(const std::string& pycode) {
   return treeOf(*rows);
 }
 
+std::string wordsOf(const LeafCount& count, std::uint32_t frames) {
+  return fmt::format("{:8} {:6.1f} {:6}", count.frames, 100.0 * count.frames / frames, count.times);
+}
+
 void printCounts(const LeafCounter& counter, const DecisionTree& tree) {
-  std::vector<std::pair<std::string, LeafCount>> leaves(counter.byName().begin(),
-                                                        counter.byName().end());
-  std::stable_sort(leaves.begin(), leaves.end(),
-                   [](const auto& a, const auto& b) { return a.second.frames > b.second.frames; });
-  fmt::print("{:>8} {:>6} {:>6}  leaf, of {} frames\n", "frames", "%", "times", counter.frames());
+  std::vector<std::pair<std::string, LeafCounts>> leaves(counter.byName().begin(),
+                                                         counter.byName().end());
+  std::stable_sort(leaves.begin(), leaves.end(), [](const auto& a, const auto& b) {
+    return a.second.played.frames > b.second.played.frames;
+  });
+  fmt::print("{:>22} {:>23}\n", "the tree named", "played");
+  for (int column = 0; column < 2; ++column)
+    fmt::print("{:>8} {:>6} {:>6} ", "frames", "%", "times");
+  fmt::print(" leaf, of {} frames\n", counter.frames());
   for (const auto& leaf : leaves) {
     const std::string& name = leaf.first;
-    const LeafCount& count = leaf.second;
+    const LeafCounts& count = leaf.second;
     const bool known = std::any_of(tree.nodes.begin(), tree.nodes.end(), [&](const TreeNode& n) {
       return n.leaf && decltype(TraceStep::branch)(n.text).view() == name;
     });
-    fmt::print("{:8} {:6.1f} {:6}  {}{}\n", count.frames, 100.0 * count.frames / counter.frames(),
-               count.times, name, known ? "" : " (not in this tree)");
+    fmt::print("{} {}  {}{}\n", wordsOf(count.named, counter.frames()),
+               wordsOf(count.played, counter.frames()), name, known ? "" : " (not in this tree)");
   }
 }
 
@@ -56,7 +65,8 @@ std::vector<std::string> captionOf(const TreeOptions& options, const LeafCounter
   return {fmt::format("{}: {} frames from {:.1f} to {:.1f} s; in {} of them the tree was asked",
                       std::filesystem::path(options.log).filename().string(), counter.frames(),
                       log.first, log.last, counter.decided()),
-          "a leaf is the brighter the more frames it took; 'times' is how often it was come to",
+          "a leaf is the brighter the more frames the tree named it in; 'times': it was come to",
+          "'played in': of these frames, where no later decision (leaf_by_map) chose another",
           placesKnown ? "" : "counted by a leaf's name: the same wherever that name stands"};
 }
 
