@@ -9,7 +9,7 @@ from conftest import ROOT, kelpie
 
 TABLE = json.loads((ROOT / "tools/experiments/team/thesis_rules.json").read_text())
 CHECKLIST = ROOT.parent / "shared/spec/checklist.md"
-ROW = re.compile(r"\| ((?:A-[456]|B-4)\.[0-9.]*[0-9]) \|")
+ROW = re.compile(r"^\| ((?:A-[456]|B-4)\.[0-9.]*[0-9]) \|", re.MULTILINE)
 
 
 def test_it_has_every_row_of_behaviours_of_the_checklist():
@@ -17,7 +17,7 @@ def test_it_has_every_row_of_behaviours_of_the_checklist():
         pytest.skip("the checklist is not beside this tree")
     rows = ROW.findall(CHECKLIST.read_text())
     assert len(rows) > 150
-    assert [row["id"] for row in TABLE["rules"]] == rows
+    assert sorted(row["id"] for row in TABLE["rules"]) == sorted(rows)
 
 
 @pytest.mark.parametrize("row", TABLE["rules"], ids=lambda row: row["id"])
