@@ -2,28 +2,13 @@
 // The foot of the white border, which the field of 2004 has instead of side lines.
 #include <gtest/gtest.h>
 
-#include <memory>
-
 #include "gps/lines/LineMap.h"
 #include "gps/lines/LineUpdate.h"
+#include "tests/gps/Field2004.h"
 #include "tests/gps/Field2006.h"
 
 namespace kelpie::gps {
 namespace {
-
-const body::FieldDescription& field2004() {
-  static const body::FieldDescription field = *body::fieldDescription("2004");
-  return field;
-}
-
-const FieldFeatures& features2004() {
-  static const auto built = [] {
-    auto f = std::make_unique<FieldFeatures>();
-    f->build(field2004());
-    return f;
-  }();
-  return *built;
-}
 
 const Pose2 kInTheCorner{{70.0, 90.0}, Angle::deg(200.0)};
 

@@ -38,6 +38,11 @@ OverallMatch meanOf(const Group& group) {
 
 }  // namespace
 
+double matchAt(double distance, const MatchOptions& options) {
+  const double fall = options.sharpness * distance * distance;
+  return options.decay == MatchDecay::bell ? std::exp(-fall) : 1.0 / (1.0 + fall);
+}
+
 double MatchTable::cell(int column, int row) const {
   const int i = std::clamp(column, 0, columns_ - 1);
   const int j = std::clamp(row, 0, rows_ - 1);
@@ -83,11 +88,14 @@ MatchValue MatchTable::bilinear(double x, double y) const {
 }
 
 MatchTables::MatchTables(const body::FieldDescription& field, const FieldFeatures& features,
-                         double sharpness)
-    : lines(field, sharpness, [&features](Point2<Field> p) { return features.nearest(p).value; }),
-      border(field, sharpness, [&features](Point2<Field> p) { return features.border(p).value; }),
-      carpet(field, sharpness, [&features](Point2<Field> p) { return features.outside(p).value; }) {
-}
+                         const MatchOptions& options)
+    : MatchTables(MatchGround(field, features, options.outside), field, options) {}
+
+MatchTables::MatchTables(const MatchGround& ground, const body::FieldDescription& field,
+                         const MatchOptions& options)
+    : lines(field, options, [&ground](Point2<Field> p) { return ground.toLine(p); }),
+      border(field, options, [&ground](Point2<Field> p) { return ground.toBorder(p); }),
+      carpet(field, options, [&ground](Point2<Field> p) { return ground.toGreen(p); }) {}
 
 OverallMatch overallMatch(const SeenLines& seen, const Pose2& pose, const MatchTables& tables,
                           Interpolation interpolation) {

@@ -71,6 +71,45 @@ void addStraight(const body::FieldLine& line, PaintedFeatures& all) {
   all.push_back({FeatureKind::straight, middle, normal + Angle::rad(maths::kPi), 0.5 * length});
 }
 
+bool isStraight(const PaintedFeature& feature) {
+  return feature.kind == FeatureKind::straight || feature.kind == FeatureKind::border;
+}
+
+// The normal is the one that points to the side of the field's middle.
+void addBorder(const body::FieldLine& foot, Point2<Field> centre, PaintedFeatures& all) {
+  const Point2<Field> way = foot.end - foot.start;
+  const double length = way.norm();
+  if (!(length > kJoinDistance)) return;
+  const Point2<Field> middle = foot.start + way * 0.5;
+  const Point2<Field> inwards = centre - middle;
+  const double side = way.x * inwards.y - way.y * inwards.x < 0.0 ? -kRightAngle : kRightAngle;
+  const Angle normal = Angle::rad(maths::atan2(way.y, way.x) + side);
+  all.push_back({FeatureKind::border, middle, normal, 0.5 * length});
+}
+
+// Where two pieces of the border's foot meet, each of them leaves that place along its own arm.
+void addBend(const body::FieldLine& one, const body::FieldLine& other, PaintedFeatures& all) {
+  for (const bool oneEnds : {false, true})
+    for (const bool otherEnds : {false, true}) {
+      const Point2<Field> place = oneEnds ? one.end : one.start;
+      if (distance(place, otherEnds ? other.end : other.start) > kJoinDistance) continue;
+      const Point2<Field> along = (oneEnds ? one.start : one.end) - place;
+      const Point2<Field> beside = (otherEnds ? other.start : other.end) - place;
+      all.push_back({FeatureKind::borderBend, place,
+                     between(Angle::rad(maths::atan2(along.y, along.x)),
+                             Angle::rad(maths::atan2(beside.y, beside.x))),
+                     0.0});
+    }
+}
+
+void addBorderFeatures(const body::FieldDescription& field, PaintedFeatures& all) {
+  const body::Border border = body::borderOf(field);
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    addBorder(border[i].foot, {field.width / 2, field.length / 2}, all);
+    for (std::size_t j = 0; j < i; ++j) addBend(border[i].foot, border[j].foot, all);
+  }
+}
+
 // Keeps the best, sorted.
 void keep(const AmbiguousPose& pose, std::size_t max, AmbiguousPoses& poses) {
   for (const AmbiguousPose& other : poses)
@@ -103,6 +142,7 @@ PaintedFeatures paintedFeatures(const body::FieldDescription& field) {
       all.push_back(
           {FeatureKind::circle, {field.width / 2, field.length / 2}, Angle::deg(degrees), 0.0});
   for (const body::FieldLine& line : field.lines) addStraight(line, all);
+  addBorderFeatures(field, all);
   return all;
 }
 
@@ -139,7 +179,7 @@ Point2<Field> middlePoint(const SeenLines& seen, const Pose2& pose) {
 
 bool isInWindow(const PaintedFeature& feature, Point2<Field> point, const SymmetryParams& params) {
   const Point2<Field> d = point - feature.place;
-  if (feature.kind != FeatureKind::straight) return d.norm() <= params.window;
+  if (!isStraight(feature)) return d.norm() <= params.window;
   const double lateral = d.x * feature.direction.cos() + d.y * feature.direction.sin();
   const double along = d.y * feature.direction.cos() - d.x * feature.direction.sin();
   return std::fabs(lateral) <= params.window && std::fabs(along) <= feature.half - params.window;
@@ -156,9 +196,8 @@ AmbiguousPoses ambiguousPoses(const SeenLines& seen, const LineFit& fit, const P
        max, poses);
   for (const PaintedFeature& from : painted) {
     if (!isInWindow(from, middle, params)) continue;
-    const bool straight = from.kind == FeatureKind::straight;
     const Angle along = from.direction + Angle::deg(90);
-    const Matrix3 known = straight ? withoutAlong(fit.information, along) : fit.information;
+    const Matrix3 known = isStraight(from) ? withoutAlong(fit.information, along) : fit.information;
     for (const PaintedFeature& to : painted) {
       if (to.kind != from.kind) continue;
       const Pose2 pose = movedWithFeature(fit.pose, from, to);

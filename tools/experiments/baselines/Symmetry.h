@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which places of a painted field look the same, derived from the field's description: corners, Ts,
-// the circle, straight pieces (thesis 2004 section 3.3.2, which lists them by hand). Where all that
+// the circle, straight pieces, and where there is a border its 45 deg bends and straight pieces
+// (thesis 2004 section 3.3.2, which lists them by hand; the ends of lines at the border are none
+// here). Where all that
 // is seen lies about one of them, the robot may as well stand before any other of its kind. The
 // whole field looks the same after half a turn.
 #pragma once
@@ -16,16 +18,17 @@ struct SymmetryParams {
   std::uint32_t points = 24;   // by which they are checked
 };
 
-enum class FeatureKind : std::uint8_t { corner, tee, circle, straight };
+enum class FeatureKind : std::uint8_t { corner, tee, circle, straight, borderBend, border };
 
-// `direction`: a corner's bisector, a T's stem, the line through the circle, a straight piece's
-// normal. A T also gives two corners (one arm may be hidden); the circle and a straight piece are
-// listed in both directions.
+// `direction`: a corner's or a bend's bisector, a T's stem, the line through the circle, the normal
+// of a straight piece or of the border's foot. A T also gives two corners (one arm may be hidden);
+// the circle and a straight piece are listed in both directions, the border, which has one side, in
+// that of the field.
 struct PaintedFeature {
   FeatureKind kind = FeatureKind::corner;
   Point2<Field> place;
   Angle direction;
-  double half = 0.0;  // cm, of a straight piece's length
+  double half = 0.0;  // cm, of the length of a straight piece or a piece of the border
 };
 using PaintedFeatures = FixedVector<PaintedFeature, 80>;
 

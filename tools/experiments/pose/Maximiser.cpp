@@ -85,7 +85,7 @@ Expected<Json> maximiser(const Request& request) {
   const gps::LineUpdateParams params;
   const auto features = std::make_unique<gps::FieldFeatures>();
   features->build(*field);
-  const gps::MatchTables tables(*field, *features, params.sharpness);
+  const gps::MatchTables tables(*field, *features, {});
   gps::AscentParams printed;
   printed.headingScale = 1.0;
   std::array<Results, kStarts.size()> results;
