@@ -3,7 +3,8 @@
 # kelpie_library(name sources... )    a static library with the house's warnings; link with
 #                                     target_link_libraries as usual
 # kelpie_executable(name sources...)  the same for a program
-# kelpie_tests(name libraries...)     one GoogleTest program of all *.cpp in the current folder
+# kelpie_tests(name libraries...)     one GoogleTest program of all *.cpp in the current folder, and
+#                                     of the tests in folders below it that make no program of theirs
 
 # What clang warns of beyond them is not our measure: it builds only the fuzzing programs.
 set(KELPIE_WARNINGS -Wall -Wextra -Werror -Wconversion -Wshadow -Wdouble-promotion)
@@ -47,7 +48,12 @@ macro(kelpie_subdirectory folder)
 endmacro()
 
 function(kelpie_tests target)
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp */*Test.cpp)
+  file(GLOB programs RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} */CMakeLists.txt)
+  foreach(program ${programs})
+    get_filename_component(folder ${program} DIRECTORY)
+    list(FILTER sources EXCLUDE REGEX "/${folder}/[^/]*$")
+  endforeach()
   add_executable(${target} ${sources} ${CMAKE_SOURCE_DIR}/tests/TestMain.cpp)
   kelpie_flags(${target})
   target_link_libraries(${target} PRIVATE ${ARGN} GTest::gtest)
