@@ -108,6 +108,24 @@ def test_our_steps_find_the_pose_more_often_than_the_ascent(tmp_path):
     assert far["ours"]["steps"] < 0.5 * far["ascent"]["steps"]
 
 
+def test_the_tables_of_2004_are_for_the_field_at_home_and_in_lisbon(tmp_path):
+    values = figures_of(tmp_path, "maximiser", 100, 31)
+    assert values["table_bytes"] == 470 * 380 * 4 == 714400  # 2 cm cells, 200 cm beyond the field
+    match, starts = values["lisbon"]["match_at_truth"], values["lisbon"]["starts"]
+    assert [(start["start_cm"], start["start_deg"]) for start in starts] == [
+        (10, 5), (20, 10), (40, 20)]
+    # Points are 3 % wrong, so that one at 130 cm lies 4 cm off: 1 / (1 + 0.004 * 16) is 0.94 and
+    # exp(-0.001 * 16) 0.98.
+    assert match["lisbon"]["equation_3_2"] == pytest.approx(0.94, abs=0.02)
+    assert match["lisbon"]["equation_3_3"] == pytest.approx(0.98, abs=0.01)
+    # Without the second border more than half of what is seen lies where nothing should be.
+    assert max(match["home"].values()) < 0.5
+    for start in starts:
+        for equation in ("equation_3_2", "equation_3_3"):
+            lisbon, home = start["lisbon"][equation], start["home"][equation]
+            assert lisbon["success"] > home["success"] and lisbon["steps"] <= 50
+
+
 def test_the_map_of_a_standing_robot_does_not_starve_and_helps(tmp_path):
     values = figures_of(tmp_path, "stationary-map", 40, 31)
     assert 64 <= values["points_mean"] <= values["points_max"] <= 128
