@@ -21,10 +21,6 @@ SPUN = 30               # frames, Alg 6.11
 SPINNING_Y = 350.0      # cm, Alg 6.11 (G48)
 OWN_GOAL_RECENT = 5     # frames since the own goal was seen that count as seeing it
 
-STRENGTH = {kelpie.HARD_FORWARD: 3, kelpie.HEAD_SWIPE_LEFT: 2, kelpie.HEAD_SWIPE_RIGHT: 2,
-            kelpie.UPENN_LEFT: 2, kelpie.UPENN_RIGHT: 2, kelpie.WEDGE: 1, PASS_LEFT: 2,
-            PASS_RIGHT: 2, RELEASE: 0, SPIN_AWAY: 0}
-
 
 class Hold:
     """What the rules ask. `gap`: (left, right) in deg or None; `aimed`: it was aimed at the gap

@@ -12,7 +12,7 @@ from decisions.kick_choice import RELEASE
 from lib import kick_table
 from lib.geom import wrap
 from situation.aim import mouth, size
-from situation.infrared import DEFAULT, near
+from situation.infrared import somebody_near
 
 NEARLY = 0.93          # [0.465, 1] of the aimed kick's utility: turning on costs time
 STILL_GOOD = 0.8       # [0.4, 1] of it for who has stopped for the kick: gaps are seen unsteadily
@@ -75,7 +75,7 @@ def utility_now(world, kick, gap):
     """Of a kick from the hold as the robot stands: one ahead leaves the ball lying more often than
     not while somebody is under the nose."""
     utility = utility_of(world, kick, gap, 0.0)
-    if kick not in AHEAD or not near(world.sensors.head_near_distance, DEFAULT):
+    if kick not in AHEAD or not somebody_near(world):
         return utility
     return FREED * utility + (1.0 - FREED) * utility_let_go(world)
 

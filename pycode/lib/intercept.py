@@ -61,11 +61,6 @@ class Rolling:
         return self.x + share * self.dx, self.y + share * self.dy
 
 
-def ahead_of(world, seconds) -> Point:
-    """Where the ball will be on the field."""
-    return Rolling(world.ball).at(seconds)
-
-
 def needed(x, y) -> float:
     """Seconds until the robot is at a point of its frame: it turns, then walks."""
     return abs(heading(x, y)) / TURN_SPEED + walk_s(x, y)

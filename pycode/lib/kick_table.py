@@ -110,18 +110,6 @@ def turn_way(kick, held=False, walking=False) -> tuple:
     return side * right, ahead, side * turn
 
 
-def chance_between(outcome, low, high) -> float:
-    """That the ball goes, in a direction from low to high (degrees, low right of high)."""
-    chance, direction, sd = outcome[:3]
-    sd = max(sd, SD_FLOOR)
-    start = wrap(low - direction)
-    end = start + (high - low)
-    # The same directions once more, a turn further on.
-    inside = _normal(end / sd) - _normal(start / sd)
-    inside += _normal((end - 360.0) / sd) - _normal((start - 360.0) / sd)
-    return chance * clamp(inside, 0.0, 1.0)
-
-
 def chance_of_rolling(outcome, distance) -> float:
     """That a ball that goes gets at least so far, in cm."""
     return 1.0 - _normal((distance - outcome[3]) / max(outcome[4], SD_FLOOR))

@@ -9,7 +9,7 @@ from situation import obstacles
 
 CLOSE = 40.0         # cm from the robot; farther balls are nobody's business yet
 AROUND = 25.0        # cm around the ball
-MAP_COUNT = 10.0     # lib/obstacles.FULL
+MAP_COUNT = 10.0     # of the obstacle map: fewer points may be nobody
 SEEN_ROBOT = 30.0    # cm from a robot that vision sees to the ball
 IR_NEARER = 8.0      # cm that the infrared's thing must be nearer than the ball
 LATCH = 15           # frames

@@ -8,7 +8,7 @@ import math
 import kelpie
 from arbiter.machine import Machine
 from situation import aim, obstacles
-from situation.infrared import DEFAULT, near
+from situation.infrared import somebody_near
 from skills.ball.hold import SIDE_SPEED, carry
 
 PIXELS = 12            # obstacle points in the box of 50 x 100 cm ahead (U07)
@@ -22,9 +22,9 @@ EDGE = 60.0            # cm from a side line
 CORNER = 100.0         # cm around an upper corner
 
 
-def in_the_way(world, threshold=DEFAULT) -> bool:
+def in_the_way(world) -> bool:
     """Somebody stands ahead, by infrared or by what the camera sees and saw."""
-    if near(world.sensors.head_near_distance, threshold):
+    if somebody_near(world):
         return True
     if world.percepts.obstacles_ahead >= PIXELS:
         return True

@@ -12,7 +12,7 @@ from lib import hints, rulebook
 from lib.geom import clamp, wrap
 from situation.aim import Aim
 from situation.goal import UP_FIELD_DEG
-from situation.infrared import DEFAULT, near
+from situation.infrared import somebody_near
 from skills.ball.dodge import Dodge, in_the_way
 from skills.ball.grab import Grab
 from skills.ball.hold import FORWARD_SPEED, TURN_SPEED, Hold, carry
@@ -248,8 +248,7 @@ class GrabDribble(Machine):
     def fire(self, world, choice):
         """Kicks or lets go, as (choice, reason, numbers...) says."""
         what, reason, *numbers = choice
-        self.steps_back = (not isinstance(what, int) or
-                           near(world.sensors.head_near_distance, DEFAULT))
+        self.steps_back = not isinstance(what, int) or somebody_near(world)
         if isinstance(what, int):
             self.enter(world, self.kick, Kick(world, what), reason, *numbers)
         else:

@@ -2,6 +2,7 @@
 """Approach, can-grab and the grab (thesis 2006 section 6.3), the aim at gaps, the dodge, the hold's
 limits."""
 import math
+from types import SimpleNamespace
 
 import kelpie
 import pytest
@@ -216,21 +217,15 @@ def test_one_near_reading_makes_a_dodge_go_on_for_all_its_frames_again():
     assert not step.done
 
 
-def test_the_infrared_threshold_is_four_fifths_of_the_carpet():
-    ground = infrared.GroundCalibration()
-    for reading in [24.0, 26.0] * 8:
-        ground.add(reading)
-    assert ground.threshold() == pytest.approx(20.0)
-    assert infrared.near(19.9, 20.0) and not infrared.near(20.0, 20.0)
-
-
-def test_two_sensors_agree_after_the_fit_of_a_line():
-    base = [10.0, 20.0, 30.0, 41.0]
-    other = [(value - 3.0) / 1.2 for value in base]
-    coefficient, constant = infrared.line_between(base, other)
-    assert [coefficient * value + constant for value in other] == pytest.approx(base)
-    with pytest.raises(ValueError):
-        infrared.line_between([1.0, 2.0], [5.0, 5.0])
+@pytest.mark.parametrize('threshold, away, near', [
+    (None, 19.9, True), (None, 20.0, False), (15.2, 15.1, True), (15.2, 15.3, False)])
+def test_infrared_says_near_below_what_this_robots_sensor_was_calibrated_to(threshold, away, near):
+    """Without a calibration 20 cm, as in the final of 2006."""
+    made = world()
+    made.sensors = SimpleNamespace(head_near_distance=away)
+    if threshold is not None:
+        made.sensors.head_near_threshold = threshold
+    assert infrared.somebody_near(made) is near
 
 
 # The rules of holding

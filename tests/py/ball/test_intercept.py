@@ -36,7 +36,7 @@ def test_the_ball_is_at_the_meeting_when_the_robot_can_be(vx, vy):
     made = rolling(vx, vy, ball=(180.0, 300.0))
     x, y = intercept.meeting(made)
     seconds = intercept.needed(x, y)
-    there = intercept.ahead_of(made, seconds)
+    there = intercept.Rolling(made.ball).at(seconds)
     field_x, field_y = 180.0 + x, 200.0 + y  # the robot looks up-field
     assert math.dist(there, (field_x, field_y)) < 12.0
 

@@ -96,9 +96,10 @@ def test_out_of_time_it_kicks_without_sight_of_the_goal_but_never_at_its_own():
 
 
 def test_the_kick_is_no_stronger_the_less_is_known_of_the_goal():
-    strength = [choice.STRENGTH[kick(495, **facts)] for facts in (
+    """Section 6.4.7; the kick's own file says how far it sends a ball."""
+    far = [kelpie.KICKS[kick(495, **facts)].distance for facts in (
         dict(gap=(20.0, -20.0), aimed=True), dict(goal_lost=10), dict(goal_lost=100))]
-    assert strength == sorted(strength, reverse=True)
+    assert far == sorted(far, reverse=True) and far[0] > far[-1]
 
 
 def test_every_choice_says_why_within_a_trace():

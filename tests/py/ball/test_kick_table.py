@@ -149,15 +149,6 @@ def test_walking_until_the_kick_is_as_odometry_moves_a_resting_ball():
         moved(3.0, 15.0, step))
 
 
-def test_a_chance_between_two_directions_is_that_of_a_bell_curve():
-    assert kick_table.chance_between(STRAIGHT, -5.0, 5.0) == pytest.approx(0.6827, abs=1e-3)
-    assert kick_table.chance_between(STRAIGHT, 0.0, 90.0) == pytest.approx(0.5, abs=1e-3)
-    backwards = (0.8, 178.0, 5.0, 200.0, 30.0)
-    assert kick_table.chance_between(backwards, 170.0, 190.0) == pytest.approx(0.8 * 0.9370, 1e-3)
-    assert kick_table.chance_between(backwards, -190.0, -170.0) == pytest.approx(0.8 * 0.9370, 1e-3)
-    assert kick_table.chance_between(backwards, -90.0, 90.0) == pytest.approx(0.0, abs=1e-6)
-
-
 def test_a_chance_of_a_goal_is_the_share_of_random_balls_that_roll_in():
     rng = random.Random(11)
     for ball, heading, outcome in [((MIDDLE, 400.0), 90.0, STRAIGHT),
