@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The decision tree of the robot that plays the ball (thesis 2006 chapter 5), as data: which skill,
 # from a Situation. Nodes ask, leaves name skills; misprints are read as in checklist G27 to G33.
-# The thesis leaves open what happens at offensive edges and in offensive contests, and which of its
-# six leaves with grab a GrabDribble is: those sub-trees are ours. Keeps nothing.
+# The thesis leaves open what happens at offensive edges and in offensive contests, where its own
+# goal is avoided, and which of its six leaves with grab a GrabDribble is: those sub-trees are ours.
+# Keeps nothing.
 from lib import zones
 from situation.at_ball import FACING_GOAL, FAR_OUT, NEAR_LINE
 
@@ -11,7 +12,7 @@ GRAB_TURN_KICK, GRAB_TURN_SHOOT, GRAB_DRIBBLE_GOAL, GRAB_DRIBBLE_STOP, GRAB_UPEN
     GRAB_UPENN_RIGHT = WITH_GRAB = (
         'grab_turn_kick', 'grab_turn_shoot', 'grab_dribble_goal', 'grab_dribble_stop',
         'grab_upenn_left', 'grab_upenn_right')
-# and without one. The own box is avoided before the tree is asked (roles/attacker.py).
+# and without one. A ball in the own box is avoided before the tree is asked (roles/attacker.py).
 DRIBBLE, UPENN_LEFT, UPENN_RIGHT, HEAD_LEFT, HEAD_RIGHT, AVOID_OWN_GOAL = WITHOUT_GRAB = (
     'dribble', 'upenn_left', 'upenn_right', 'head_left', 'head_right', 'avoid_own_goal')
 LEAVES = WITH_GRAB + WITHOUT_GRAB
@@ -54,15 +55,19 @@ def swipe(of='up', left_is=1.0):
     return by_side(of, HEAD_LEFT, HEAD_RIGHT, left_is)
 
 
-def contest(elsewhere, grab):
-    """Alg 5.3 and 5.6: UPenn at 35 to 70 deg, else as given."""
-    return within('up-field', 'up', 35.0, 70.0, upenn(), elsewhere(grab))
+def contest(elsewhere):
+    """Alg 5.3 and 5.6: UPenn at 35 to 70 deg, else as given. In the offensive third, where the
+    listing is lost, as Alg 5.6: there section 5.8 wants a grab in most situations."""
+    return within('up-field', 'up', 35.0, 70.0, upenn(), elsewhere)
 
 
 def contested_own(grab):
-    """Rest of Alg 5.3. Ours: who comes to the ball from up-field turns it with a grab, as Alg 5.5
-    has it (G32); driven on, it went into the own goal (2 of 16 goals of 6 matches)."""
-    drive = Node('own goal ahead?', lambda s: s.own_goal_ahead, grab, DRIBBLE,
+    """Rest of Alg 5.3, which drives the ball on. Driven so by who comes to it from up-field it went
+    into the own goal (2 of 16 goals of 6 matches): such a ball is turned with a grab, as Alg 5.5
+    has it (G32); by the theses alone it is what section 5.6 warns of, and their leaf for that."""
+    turn = Node('turned with a grab?', lambda s: s.rules.GRABS_BEFORE_OWN_GOAL, grab,
+                AVOID_OWN_GOAL)
+    drive = Node('own goal ahead?', lambda s: s.own_goal_ahead, turn, DRIBBLE,
                  ('own goal ahead', 'nothing better'))
     return Node('about to grab?', lambda s: s.about_to_grab, grab,
                 Node('at an edge, looking up-field?',
@@ -86,14 +91,14 @@ def defensive(grab):
     rest = within('up-field', 'up', 45.0, 70.0, upenn(),
                   within('up-field', 'up', 10.0, 45.0, swipe(),
                          within('up-field', 'up', 0.0, 20.0, DRIBBLE, grab), closed=False))
-    return outside(contest(contested_own, grab), at_edge(grab), rest)
+    return outside(contest(contested_own(grab)), at_edge(grab), rest)
 
 
 def middle(grab):
     """Alg 5.5. It grabs when it looks up-field or far away from it."""
     rest = within('up-field', 'up', 45.0, 110.0, upenn(),
                   within('up-field', 'up', 20.0, 45.0, swipe(), grab, closed=False))
-    return outside(contest(lambda leaf: leaf, grab), at_edge(grab), rest)
+    return outside(contest(grab), at_edge(grab), rest)
 
 
 def offensive(grab):
@@ -106,19 +111,20 @@ def offensive(grab):
     in_corner = Node('in a corner?', lambda s: s.corner != 0,
                      within('goal front', 'crossing', 30.0, 75.0, upenn('crossing', -1.0), grab),
                      on_line)
-    return outside(contest(contested_own, grab), at_edge(grab), in_corner)
+    return outside(contest(grab), at_edge(grab), in_corner)
 
 
 def outside(contested, edge, rest):
     """The two questions that all three zones ask first. A corner has its own rule."""
     return Node('contested?', lambda s: s.contested, contested,
-                Node('at a side edge?', lambda s: s.edge != 0 and s.corner == 0, edge, rest,
+                Node('at a side edge?', lambda s: s.side_edge != 0, edge, rest,
                      ('at an edge', '')), ('contested', ''))
 
 
 def with_grab(region):
-    """Ours: which of the six leaves with grab. Own third: turn up-field and kick. Else: at an edge
-    and looking out of the field, strike it in; beside the goal, carry it back; near, shoot."""
+    """Ours: which of the six leaves with grab. Own third: turn up-field and kick. Else: where it
+    looks out of the field, strike it in; beside the goal, carry it back; near, shoot. The kick map
+    needs no plan to strike or to let go: it weighs both in every frame."""
     if region == zones.DEFENSIVE:
         return GRAB_TURN_KICK
     near = Node('near enough to shoot?', lambda s: s.goal_distance < SHOOTING, GRAB_TURN_SHOOT,
@@ -126,10 +132,11 @@ def with_grab(region):
     beside = Node('beside the goal, near its line?',
                   lambda s: s.line_distance < NEAR_LINE and not s.near_centre,
                   GRAB_DRIBBLE_STOP, near, ('beside the goal', ''))
-    return Node('at an edge and looking out?',
-                lambda s: s.edge != 0 and 60.0 <= -s.edge * s.facing <= 120.0,
-                by_side('edge', GRAB_UPENN_LEFT, GRAB_UPENN_RIGHT), beside,
-                ('at an edge, looking out', ''))
+    out = Node('at an edge and looking out?',
+               lambda s: s.strike_side != 0 and 60.0 <= -s.strike_side * s.facing <= 120.0,
+               by_side('strike_side', GRAB_UPENN_LEFT, GRAB_UPENN_RIGHT), beside,
+               ('at an edge, looking out', ''))
+    return Node('kick by the map?', lambda s: s.by_kick_map, near, out)
 
 
 GRABS = {region: with_grab(region)

@@ -9,10 +9,17 @@ class Kelpie:
     """What Kelpie plays."""
     THESIS = False
 
+    # The ball, thesis 2006
+    GRABS_BEFORE_OWN_GOAL = True    # section 5.6: a contested ball on whose way the own goal lies
+    STRIKES_FROM_EDGES = True       # section 5.4: a held ball, out of the edges or the corners only
+
 
 class Thesis(Kelpie):
     """What the theses write, and where they are silent the least that works."""
     THESIS = True
+
+    GRABS_BEFORE_OWN_GOAL = False
+    STRIKES_FROM_EDGES = False
 
 
 def of(world) -> type[Kelpie]:

@@ -14,6 +14,9 @@ GOAL_CLOSE = 60.0     # cm before the opponents' goal line, between the posts an
 (DEFENSIVE_LEFT, DEFENSIVE_CENTRE, DEFENSIVE_RIGHT, MIDDLE_LEFT, MIDDLE_RIGHT, MIDDLE_CENTRE,
  OFFENSIVE_CENTRE, OFFENSIVE_LEFT, OFFENSIVE_RIGHT, CORNER_LEFT, CORNER_RIGHT,
  CLOSE_TO_GOAL) = range(1, 13)
+EDGES = {DEFENSIVE_LEFT: -1, MIDDLE_LEFT: -1, OFFENSIVE_LEFT: -1,
+         DEFENSIVE_RIGHT: 1, MIDDLE_RIGHT: 1, OFFENSIVE_RIGHT: 1}
+CORNERS = {CORNER_LEFT: -1, CORNER_RIGHT: 1}
 
 
 def zone(field, y) -> int:
@@ -51,9 +54,9 @@ def sub_zone(field, ball: Point) -> int:
         return (DEFENSIVE_LEFT, DEFENSIVE_CENTRE, DEFENSIVE_RIGHT)[side + 1]
     if region == MIDDLE:
         return (MIDDLE_LEFT, MIDDLE_CENTRE, MIDDLE_RIGHT)[side + 1]
-    if close_to_goal(field, ball):
-        return CLOSE_TO_GOAL
     in_corner = corner(field, ball)
     if in_corner:
         return CORNER_LEFT if in_corner < 0 else CORNER_RIGHT
+    if close_to_goal(field, ball):
+        return CLOSE_TO_GOAL
     return (OFFENSIVE_LEFT, OFFENSIVE_CENTRE, OFFENSIVE_RIGHT)[side + 1]

@@ -261,6 +261,8 @@ class Attacker(RuleMachine):
             return Dribble(self.memory, self.goal_heading)
         if leaf == LINE_UP:
             return LineUpKick(self.memory, self.goal)
+        if leaf == tree.AVOID_OWN_GOAL:
+            return AvoidOwnBox(self.memory)
         self.held.start()
         return GrabDribble(self.memory, self.held.choose, leaf)
 

@@ -4,7 +4,7 @@
 # Keeps nothing. As wrong as pose and ball.
 import math
 
-from lib import zones
+from lib import rulebook, zones
 from lib.geom import TURN, heading, wrap
 from situation.goal import UP_FIELD_DEG
 
@@ -28,8 +28,9 @@ def up_field(x0, y0, x1, y1) -> float:
 
 class Situation:
     """All that Alg 5.1 to 5.7 test. `up`: the thesis' selfH2CenterH; `crossing`: its
-    selfH2CrossingH; `ball_to_goal`: its ballH2TGoalH; `off_goal`: the
-    difference that Alg 5.4 tests (checklist G30)."""
+    selfH2CrossingH; `ball_to_goal`: its ballH2TGoalH; `off_goal`: the difference that Alg 5.4
+    tests (checklist G30). Of `side_edge`, `corner` and `edge`, which is either with a ball within
+    50 cm of a side line, -1 is left and +1 right."""
 
     def __init__(self, world, contested: bool, about_to_grab: bool):
         field, relative = world.field, world.ball.relative
@@ -38,9 +39,13 @@ class Situation:
         x, y = self.ball = world.ball.position.x, world.ball.position.y
         goal_x, goal_y = 0.5 * field.width, field.length
         self.contested, self.about_to_grab = contested, about_to_grab
+        self.rules = rulebook.of(world)
+        self.by_kick_map = rulebook.by_kick_map(world)
         self.zone = zones.zone(field, y)
-        self.edge = zones.edge(field, x)
-        self.corner = zones.corner(field, self.ball)
+        sub_zone = zones.sub_zone(field, self.ball)
+        self.side_edge = zones.EDGES.get(sub_zone, 0)
+        self.corner = zones.CORNERS.get(sub_zone, 0)
+        self.edge = self.side_edge or self.corner * (zones.edge(field, x) != 0)
         self.facing = wrap(looks - UP_FIELD_DEG)
         self.ball_bearing = heading(relative.x, relative.y)
         self.up = wrap(direction(robot_x, robot_y, x, y + CENTRE_OFFSET) - looks)
@@ -52,6 +57,11 @@ class Situation:
         self.goal_distance = math.hypot(x - goal_x, y - goal_y)
         self.line_distance = goal_y - y
         self.near_centre = abs(x - goal_x) < NEAR_CENTRE
+
+    @property
+    def strike_side(self) -> int:
+        """At which side of the field a held ball may be struck in, as `edge`."""
+        return self.edge if self.rules.STRIKES_FROM_EDGES else self.corner
 
     @property
     def own_goal_ahead(self) -> bool:

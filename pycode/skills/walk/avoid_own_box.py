@@ -43,7 +43,7 @@ def place_to_stand(field, robot, ball) -> tuple[str, tuple[float, float]]:
     x = ball[0] + side * LATERAL
     if not EDGE <= x <= field.width - EDGE:
         x = ball[0] - side * LATERAL
-    return 'aside', (clamp(x, EDGE, field.width - EDGE), top)
+    return 'aside', (clamp(x, EDGE, field.width - EDGE), max(top, ball[1]))
 
 
 def step_towards(field, robot, place) -> tuple[float, float]:
