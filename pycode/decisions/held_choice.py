@@ -38,7 +38,7 @@ class HeldChoice:
         return (kick_choice.RELEASE, 'out of time, the own goal is ahead') if overdue else None
 
     def by_pose(self, world, dribble, overdue):
-        if world.task.passing and len(world.teammates) > 0:
+        if rulebook.passes(world) and len(world.teammates) > 0:
             passed = self.pass_on(world, dribble)
             if passed is not None:
                 return passed
@@ -74,13 +74,15 @@ class HeldChoice:
 
     def by_rules(self, world, dribble, overdue):
         aim = dribble.aim
-        hold = Hold(world, self.memory, self.contested.now, aim.gap, aim.aimed, dribble.searched,
+        aimed = aim.aimed and aim.points_into_gap
+        hold = Hold(world, self.memory, self.contested.now, aim.gap, aimed, dribble.searched,
                     dribble.search_side)
         if overdue:
             return as_motion(kick_choice.out_of_time(hold))
         if aim.aimed and not dribble.should_carry(world):
             chosen = kick_choice.by_rules(hold)
-        elif aim.gap is None and dribble.searched >= kick_choice.SPUN:
+        elif aim.gap is None and dribble.searched >= kick_choice.SPUN and not (
+                rulebook.of(world).SPINS_UNTIL_SEEN):
             chosen = kick_choice.goal_not_seen(hold)
         else:
             return None

@@ -10,16 +10,40 @@ class Kelpie:
     THESIS = False
 
     # The ball, thesis 2006
+    APPROACH_TURN = 2.0             # times the turn that section 6.3.3 walks at the ball with
+    TURNS_TO_BALL = True            # section 6.3.3: on the spot to a ball far aside
+    HURRIES_GRAB = False            # section 6.3.5: by infrared also when the motion has begun
     GRABS_BEFORE_OWN_GOAL = True    # section 5.6: a contested ball on whose way the own goal lies
     STRIKES_FROM_EDGES = True       # section 5.4: a held ball, out of the edges or the corners only
+    AIMS_BY_POSE_IN_FRONT = True    # section 6.4.2: in the front half, at a goal that is not seen
+    SIGHT_COUNTS_ALONE = False      # Alg 6.6: frames that were aimed by the pose do not count
+    SEARCH_SHARE = 2.0              # of the speed that section 6.4.2 turns at in search of the goal
+    ONE_SPEED_BY_POSE = False       # section 6.4.2: also where the pose tells the goal's direction
+    SPINS_UNTIL_SEEN = False        # section 6.4.2: no kick before time is out
+    SPINS_AWAY = False              # Alg 6.8: from an own goal that was aimed at
+    TURNS_AT_EDGE = True            # section 6.4.5: on the spot, or walks off it
+    DODGES_BY_MAP = True            # section 6.4.4: also what was seen before
+    STEPS_BACK = True               # from a ball that it let go, or kicked at somebody
 
 
 class Thesis(Kelpie):
     """What the theses write, and where they are silent the least that works."""
     THESIS = True
 
+    APPROACH_TURN = 1.0             # times
+    TURNS_TO_BALL = False
+    HURRIES_GRAB = True
     GRABS_BEFORE_OWN_GOAL = False
     STRIKES_FROM_EDGES = False
+    AIMS_BY_POSE_IN_FRONT = False
+    SIGHT_COUNTS_ALONE = True
+    SEARCH_SHARE = 1.0              # times
+    ONE_SPEED_BY_POSE = True
+    SPINS_UNTIL_SEEN = True
+    SPINS_AWAY = True
+    TURNS_AT_EDGE = False
+    DODGES_BY_MAP = False
+    STEPS_BACK = False
 
 
 def of(world) -> type[Kelpie]:
@@ -37,6 +61,11 @@ def intercepts(world) -> bool:
     return not of(world).THESIS and world.task.intercept
 
 
+def dodges(world) -> bool:
+    """Whether who stands in the way with the ball is gone round."""
+    return of(world).THESIS or world.task.dodge
+
+
 def aims_by_sight(world) -> bool:
     return of(world).THESIS or world.task.aiming == kelpie.AIMING_BY_SIGHT
 
@@ -44,3 +73,8 @@ def aims_by_sight(world) -> bool:
 def only_spins(world) -> bool:
     """Whether a lost ball is looked for by a spin alone."""
     return not of(world).THESIS and world.task.search == kelpie.SEARCH_BY_SPIN
+
+
+def passes(world) -> bool:
+    """Passing is work to come in the thesis (section 8.2)."""
+    return not of(world).THESIS and world.task.passing

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Where to shoot: the goal's free gaps as vision sees them (thesis 2006 section 6.4.2), one of them
 # locked until the shot, carried along by odometry while it is out of sight; else the mouth as the
-# pose has it. Keeps the locked side, the gap's headings, since when it was not seen, and how many
+# pose has it, by the theses' rules in the own half alone. Keeps the locked side, the gap's headings, since when it was not seen, and how many
 # frames were aimed. By the pose alone it is as wrong as the pose.
 from lib import rulebook
 from lib.geom import from_field, heading, wrap
@@ -50,6 +50,14 @@ def mouth(world):
     return left, left + wrap(right - left)
 
 
+def mouth_by_pose(world):
+    """The mouth where the pose may tell where to aim, or None."""
+    in_front = world.pose.position.y > 0.5 * world.field.length
+    if in_front and not rulebook.of(world).AIMS_BY_POSE_IN_FRONT:
+        return None
+    return mouth(world)
+
+
 class Aim:
     def __init__(self):
         self.side = None       # of the locked gap; None: not locked
@@ -63,13 +71,15 @@ class Aim:
         self.lost += 1
         seen = gaps_of(world) if rulebook.aims_by_sight(world) else (None, None)
         if seen != (None, None):
+            if not self.by_sight and rulebook.of(world).SIGHT_COUNTS_ALONE:
+                self.aimed_frames = 0
             self._lock(*seen)
         elif self.gap is not None and self.lost <= CARRIED_FRAMES and self.by_sight:
             turn = world.odometry.turn_deg
             self.gap = self.gap[0] - turn, self.gap[1] - turn
         else:
-            self.gap, self.by_sight = mouth(world), False
-        if self.gap is not None and abs(self.middle) < self.padding:
+            self.gap, self.by_sight = mouth_by_pose(world), False
+        if self.points_into_gap:
             self.aimed_frames += 1
 
     def _lock(self, left, right):
@@ -83,6 +93,10 @@ class Aim:
     def middle(self) -> float:
         """deg to turn until the robot points into the middle of the gap."""
         return wrap(0.5 * (self.gap[0] + self.gap[1]))
+
+    @property
+    def points_into_gap(self) -> bool:
+        return self.gap is not None and abs(self.middle) < self.padding
 
     @property
     def padding(self) -> float:

@@ -7,6 +7,7 @@ import math
 
 import kelpie
 from arbiter.machine import Machine
+from lib import rulebook
 from situation import aim, obstacles
 from situation.infrared import somebody_near
 from skills.ball.hold import SIDE_SPEED, carry
@@ -23,11 +24,13 @@ CORNER = 100.0         # cm around an upper corner
 
 
 def in_the_way(world) -> bool:
-    """Somebody stands ahead, by infrared or by what the camera sees and saw."""
+    """Somebody stands ahead, by infrared or by what the camera sees, or saw before."""
     if somebody_near(world):
         return True
     if world.percepts.obstacles_ahead >= PIXELS:
         return True
+    if not rulebook.of(world).DODGES_BY_MAP:
+        return False
     points = obstacles.points_near(world, world.pose.position, math.hypot(LATERAL, AHEAD))
     return obstacles.in_box(points, world.pose, -LATERAL, LATERAL, 15.0, AHEAD) >= MAP_COUNT
 

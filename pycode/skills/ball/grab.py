@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # Walks at the ball and takes it between chin, chest and forelegs (thesis 2006 section 6.3): no side
 # steps, "can I grab" by six predicted frames, then the motion of 12 frames, or of 6 when the
-# infrared says that the ball is close. Keeps the state and when the motion was asked for. Whether
+# infrared says that the ball is close, by the theses' rules also midway. Keeps the state and when the motion was asked for. Whether
 # the ball is held it leaves to what the body feels afterwards (skills/ball/hold.py). Begun too
 # early the jaw comes down on the ball and pushes it away; late does no harm.
 import math
 
 import kelpie
 from arbiter.machine import Machine
-from lib import hints, intercept
+from lib import hints, intercept, rulebook
 from lib.geom import clamp, heading
 from situation.infrared import near
 from skills.ball.hold import carry
@@ -35,6 +35,7 @@ FRAME_S = 1.0 / 30.0  # s
 
 SEEN_S = 0.2             # s: nobody grabs a ball that it has not just seen
 IR_NEAR = 11.5           # cm of the chest's filtered infrared, which reads the carpet at 14
+HURRIES_S = 0.3          # s since it was asked for: later the motion may end before it hears of it
 FORWARD = 8.0            # cm/s that the motion ends with (actuator/data/motions/grab.toml)
 HINT_WITHIN = 40.0       # cm; a far ball that is lost need not be where the paws are
 START_S = 0.5            # for the motion to begin
@@ -63,9 +64,9 @@ def approach(point, last=kelpie.WALK) -> kelpie.WalkRequest:
                               turn_deg=TURN_GAIN * off_deg, kind=walk_kind(away, off_deg, last))
 
 
-def limited(request, off_deg) -> kelpie.WalkRequest:
-    """What the legs can do of it, no slower ahead than a grab needs, and turned to twice as fast
-    as the thesis has it: 0.9 /s would curve past a ball 30 deg off."""
+def limited(request, off_deg, times) -> kelpie.WalkRequest:
+    """What the legs can do of it, no slower ahead than a grab needs, and turned to so many times as
+    fast as the thesis has it: 0.9 /s curves past a ball 30 deg off."""
     if request.kind == kelpie.WALK_TURNING:
         speed = clamp(3.0 * off_deg, -SPIN_SPEED, SPIN_SPEED)
         return kelpie.WalkRequest(turn_deg=speed, kind=kelpie.WALK_TURNING)
@@ -73,13 +74,16 @@ def limited(request, off_deg) -> kelpie.WalkRequest:
         request.forward = max(request.forward, CLOSING * math.cos(math.radians(off_deg)))
     if request.kind == kelpie.WALK:
         request.forward = min(request.forward, SPEED * max(0.2, math.cos(math.radians(off_deg))))
-    request.turn_deg = clamp(2.0 * request.turn_deg, -TURN_SPEED, TURN_SPEED)
+    request.turn_deg = clamp(times * request.turn_deg, -TURN_SPEED, TURN_SPEED)
     return request
 
 
 def walk_at(world, point) -> kelpie.WalkRequest:
     """The walk to a point of the robot frame, by what is walked already."""
-    return limited(approach(point, world.last_command.walk.kind), heading(*point))
+    rules, request = rulebook.of(world), approach(point, world.last_command.walk.kind)
+    if request.kind == kelpie.WALK_TURNING and not rules.TURNS_TO_BALL:
+        request.kind = kelpie.WALK
+    return limited(request, heading(*point), rules.APPROACH_TURN)
 
 
 def can_grab(ball, velocity, turn_lost) -> bool:
@@ -156,7 +160,15 @@ class Grab(Machine):
         if (self.ran and not running) or passed > (LONGEST_S if self.ran else START_S):
             return self.enter(world, self.finished, None, 'the motion took {} s', passed)
         command.motion = kelpie.NO_MOTION if self.ran else motion
+        if self.hurries(world):
+            command.motion = kelpie.GRAB_QUICK
         return command
+
+    def hurries(self, world) -> bool:
+        """Whether the motion that runs is to go on as the quick one: once the infrared says that
+        the ball is close it counts two frames in one (Alg 6.4)."""
+        return (rulebook.of(world).HURRIES_GRAB and world.motion.running == kelpie.GRAB and
+                self.since(world) < HURRIES_S and near(self.memory.chest, IR_NEAR))
 
     def finished(self, world):
         self.grabbed = True

@@ -15,18 +15,19 @@ from situation.goal import UP_FIELD_DEG
 from situation.infrared import somebody_near
 from skills.ball.dodge import Dodge, in_the_way
 from skills.ball.grab import Grab
-from skills.ball.hold import FORWARD_SPEED, TURN_SPEED, Hold, carry
+from skills.ball.hold import FORWARD_SPEED, SIDE_SPEED, TURN_SPEED, Hold, carry
 from skills.head.track_ball import TrackBall
 from skills.motion.kick import Kick
 from skills.motion.release import Release
 from skills.walk.step_back import StepBack
 
-TIME_OUT = 2.2          # s of the rules' clock (skills/ball/grab.py); a grabbed ball lies in the
-                        # arms 0.1 s after it was asked for, a stop takes 0.4 s at most and a
-                        # kick 0.41 until the ball is gone: 2.9 of the 3
-BLOCKED_OUT = 1.7       # s of it with somebody ahead, where the kicks of the map are used: three
+TIME_MARGIN = 0.8       # s that are left of the rules' clock (skills/ball/grab.py); a grabbed ball
+                        # lies in the arms 0.1 s after it was asked for, a stop takes 0.4 s at most
+                        # and a kick 0.41 until the ball is gone: 2.9 of 3 s
+BLOCKED_MARGIN = 1.3    # s of it with somebody ahead, where the kicks of the map are used: three
                         # of five against who is within 25 cm leave the ball in the arms
-FARTHEST = 35.0         # cm from the place of the grab by odometry (rule: 50 cm); a stop takes 6
+WAY_MARGIN = 15.0       # cm less by odometry from the place of the grab than the rules allow; a
+                        # stop takes 6
 SETTLE = 0.13           # s after the grab
 FEEL = 0.5              # s within which a caught ball is felt (docs/physical-body.md: 0.22)
 STEADY = 0.17           # s that it stands before a kick,
@@ -44,11 +45,13 @@ CARRY_FROM = 230.0      # [115, 460] and beyond which a kick does not reach the 
 SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
 SEARCH_TURN = 50.0  # deg/s,
 SEARCH_TURN_FRONT = 40.0  # deg/s as the thesis has it,
-SEARCH_SHARE = 2.0                            # and how much faster this body turns with the ball
 OVER_TURN_Y = 200.0     # cm; up to here a goal that the pose faces and nobody sees is turned on for
 OVER_TURN = 8           # [4, 16] frames (at most 50 in facts-2005 section 7.2): 13 deg, a pose's
                         # error
 EDGE = 22.0             # cm from a line: move away from it before anything else
+OFF_EDGE = 6.0          # cm farther, where that is walked
+LOOKS_IN = 0.5          # cosine of the way in: who looks within 60 deg of it is turned to nothing
+OWN_GOAL_FRAMES = 5     # since the own goal was seen that count as seeing it
 
 
 def turn_towards(world, degrees) -> float:
@@ -59,6 +62,22 @@ def turn_towards(world, degrees) -> float:
     if abs(wanted) < MIN_TURN:
         wanted = math.copysign(MIN_TURN, wanted) if abs(left) > 1.5 else 0.0
     return wanted
+
+
+def search_speed(world) -> float:
+    """deg/s of the turn in search of the goal."""
+    speed = SEARCH_TURN if world.pose.position.y < SEARCH_Y else SEARCH_TURN_FRONT
+    return rulebook.of(world).SEARCH_SHARE * speed
+
+
+def lines_from(world) -> tuple[float, float, float, float]:
+    """cm from the ball in the arms to the left, right, bottom and top line; the goal's mouth is
+    none."""
+    field, angle = world.field, math.radians(world.pose.heading_deg)
+    x = world.pose.position.x + 8.0 * math.cos(angle)
+    y = world.pose.position.y + 8.0 * math.sin(angle)
+    before_goal = abs(x - 0.5 * field.width) < 0.5 * field.goal_width
+    return x, field.width - x, y, math.inf if before_goal else field.length - y
 
 
 class GrabDribble(Machine):
@@ -112,18 +131,18 @@ class GrabDribble(Machine):
             return
         elif self.out_of_time(world):
             self.enter(world, self.overdue, None, 'held {} s', self.hold.seconds(world))
-        elif self.hold.way > FARTHEST:
+        elif self.hold.way > world.field.rules.holding_distance - WAY_MARGIN:
             self.enter(world, self.overdue, None, 'carried {} cm', self.hold.way)
 
     def out_of_time(self, world) -> bool:
         """Sooner with somebody ahead, unless it stands for a kick already or turns in from an
         edge."""
-        seconds = self.hold.seconds(world)
-        if seconds > TIME_OUT:
+        left = world.field.rules.holding_time - self.hold.seconds(world)
+        if left < TIME_MARGIN:
             return True
         sooner = (rulebook.by_kick_map(world) and
                   self.state not in (self.settle, self.steady, self.off_edge))
-        return sooner and seconds > BLOCKED_OUT and in_the_way(world)
+        return sooner and left < BLOCKED_MARGIN and in_the_way(world)
 
     def overdue(self, world):
         """The rules leave no more time: it stands, then kicks whatever it sees of the goal, or
@@ -166,10 +185,14 @@ class GrabDribble(Machine):
         choice = self.choose(world, self, False)
         if choice is not None:
             return self.enter(world, self.steady, None, choice[1], *choice[2:])
+        if self.looks_at_own_goal(world):
+            self.aim, self.searched = Aim(), 1
+            self.search_side = -1.0 if sum(self.memory.own_goal) > 0.0 else 1.0
+            return self.enter(world, self.spin_away, None, 'the own goal is in sight')
         if self.at_edge(world):
             return self.enter(world, self.off_edge, None, '{} cm from the line',
                               self.line_distance(world))
-        if world.task.dodge and self.aim.gap is not None and abs(self.aim.middle) < 30.0:
+        if rulebook.dodges(world) and self.aim.gap is not None and abs(self.aim.middle) < 30.0:
             if in_the_way(world) and self.skill is None:
                 return self.enter(world, self.dodge, Dodge(world, self.memory),
                                   'somebody is in the way')
@@ -178,9 +201,27 @@ class GrabDribble(Machine):
         if self.aim.aimed and self.should_carry(world):
             return self.enter(world, self.carry_on, None, 'aimed; goal {} cm away',
                               self.goal_distance(world))
-        turn = turn_towards(world, self.aim.middle)
+        turn = self.to_gap(world)
         self.turn_side = 1.0 if turn >= 0.0 else -1.0
         return carry(turn=turn)
+
+    def to_gap(self, world) -> float:
+        """deg/s of the turn."""
+        if rulebook.of(world).ONE_SPEED_BY_POSE and not self.aim.by_sight:
+            return math.copysign(search_speed(world), self.aim.middle)
+        return turn_towards(world, self.aim.middle)
+
+    def looks_at_own_goal(self, world) -> bool:
+        """Whether it aimed at the own goal, by a pose that is wrong."""
+        return (rulebook.of(world).SPINS_AWAY and self.aim.aimed and not self.aim.by_sight and
+                self.memory.own_goal_lost < OWN_GOAL_FRAMES)
+
+    def spin_away(self, world):
+        """Until the opponents' goal is in sight: the pose is not asked any more."""
+        if self.aim.by_sight:
+            return self.enter(world, self.turn, None, 'the goal is in sight')
+        self.searched += 1
+        return carry(turn=search_speed(world) * self.search_side)
 
     def over_turns(self, world) -> bool:
         """Far from the goal, which is not where the pose says (section 6.4.3): some frames more."""
@@ -211,8 +252,7 @@ class GrabDribble(Machine):
             to_goal = wrap(UP_FIELD_DEG - world.pose.heading_deg)
             self.search_side = 1.0 if to_goal >= 0.0 else -1.0
         self.searched += 1
-        speed = SEARCH_TURN if world.pose.position.y < SEARCH_Y else SEARCH_TURN_FRONT
-        return carry(turn=SEARCH_SHARE * speed * self.search_side)
+        return carry(turn=search_speed(world) * self.search_side)
 
     def should_carry(self, world) -> bool:
         if self.hold.seconds(world) > CARRY_UNTIL:
@@ -225,7 +265,7 @@ class GrabDribble(Machine):
         """Ahead to the goal, kept on the gap's middle."""
         if self.aim.gap is None or not self.should_carry(world):
             return self.enter(world, self.turn, None, 'goal {} cm away', self.goal_distance(world))
-        if world.task.dodge and in_the_way(world):
+        if rulebook.dodges(world) and in_the_way(world):
             return self.enter(world, self.dodge, Dodge(world, self.memory),
                               'somebody is in the way')
         turn = clamp(2.0 * self.aim.middle, -40.0, 40.0)
@@ -239,11 +279,14 @@ class GrabDribble(Machine):
         return command
 
     def off_edge(self, world):
-        """Along or away from the line by side steps and turns alone (section 6.4.5)."""
+        """Turns inwards on the spot; by the theses' rules, since a turn may carry the ball over
+        the line, backward, side and diagonal walk alone (section 6.4.5)."""
         if not self.at_edge(world):
             return self.enter(world, self.turn, None, 'off the line')
-        turn = turn_towards(world, self.inwards(world))
-        return carry(turn=turn)
+        if rulebook.of(world).TURNS_AT_EDGE:
+            return carry(turn=turn_towards(world, self.inwards(world)))
+        ahead, left = self.way_in(world)
+        return carry(forward=SIDE_SPEED * min(0.0, ahead), left=SIDE_SPEED * left)
 
     def fire(self, world, choice):
         """Kicks or lets go, as (choice, reason, numbers...) says."""
@@ -267,6 +310,9 @@ class GrabDribble(Machine):
     def leave(self, world, why):
         if not self.steps_back:
             return self.enter(world, self.ended, None, why)
+        self.hint = hints.LEFT_LYING
+        if not rulebook.of(world).STEPS_BACK:
+            return self.enter(world, self.ended, None, why)
         return self.enter(world, self.step_back, StepBack(world), why)
 
     def step_back(self, world):
@@ -289,17 +335,23 @@ class GrabDribble(Machine):
         return math.hypot(dx, dy)
 
     def line_distance(self, world) -> float:
-        """cm from the ball in the arms to the nearest line that it would be carried over."""
-        angle = math.radians(world.pose.heading_deg)
-        x = world.pose.position.x + 8.0 * math.cos(angle)
-        y = world.pose.position.y + 8.0 * math.sin(angle)
-        before_goal = abs(x - 0.5 * world.field.width) < 0.5 * world.field.goal_width
-        ends = y if before_goal else min(y, world.field.length - y)
-        return min(x, world.field.width - x, ends)
+        return min(lines_from(world))
 
     def at_edge(self, world) -> bool:
-        return (self.line_distance(world) < EDGE and
-                abs(self.inwards(world)) > 60.0)
+        """Whether it is near a line and does not look inwards."""
+        if rulebook.of(world).TURNS_AT_EDGE:
+            return self.line_distance(world) < EDGE and abs(self.inwards(world)) > 60.0
+        near = EDGE + (OFF_EDGE if self.state == self.off_edge else 0.0)
+        return self.line_distance(world) < near and self.way_in(world)[0] < LOOKS_IN
+
+    def way_in(self, world) -> tuple[float, float]:
+        """Ahead and left: the direction square away from all lines that are near."""
+        left, right, bottom, top = (away < EDGE + OFF_EDGE for away in lines_from(world))
+        x, y = float(left - right), float(bottom - top)
+        size = math.hypot(x, y) or 1.0
+        angle = math.radians(world.pose.heading_deg)
+        return ((x * math.cos(angle) + y * math.sin(angle)) / size,
+                (y * math.cos(angle) - x * math.sin(angle)) / size)
 
     def inwards(self, world) -> float:
         """deg to turn until the robot looks at the middle of the field."""

@@ -13,13 +13,16 @@ from situation.memory import Memory
 from situations import world
 from skills.ball import dodge
 from skills.ball.find_ball import FindBall
-from skills.ball.grab_dribble import (BLOCKED_OUT, EDGE, FARTHEST, FEEL, OVER_TURN, OVER_TURN_Y,
-                                      SEARCH_SHARE, SEARCH_TURN, SETTLE, TIME_OUT, GrabDribble,
-                                      turn_towards)
+from skills.ball.grab_dribble import (EDGE, FEEL, OVER_TURN, OVER_TURN_Y, SEARCH_TURN, SETTLE,
+                                      GrabDribble, turn_towards)
 from skills.ball.hold import Hold
 from skills.walk import step_back
 
 FRAME_S = 1.0 / 30.0
+# Of the rules' 3 s and 50 cm a hold uses so much, and with somebody ahead so much less.
+TIME_OUT = 2.2
+BLOCKED_OUT = 1.7
+FARTHEST = 35.0
 
 
 def asked(kick=kelpie.HARD_FORWARD):
@@ -83,7 +86,7 @@ def test_the_search_turn_goes_the_shorter_way_to_up_field(heading):
 def test_the_search_turn_is_slower_in_front_of_the_goal(y, speed):
     made, skill = holding(y=y, heading=-90.0)
     command = run(made, skill, 0.4)[-1]
-    assert abs(command.walk.turn_deg) == pytest.approx(SEARCH_SHARE * speed)
+    assert abs(command.walk.turn_deg) == pytest.approx(2.0 * speed)
 
 
 def test_the_search_turn_keeps_its_side_and_counts_its_frames():

@@ -129,7 +129,8 @@ def test_who_has_aimed_kicks_unless_carrying_the_ball_on_helps(aimed, carries, k
     made = world()
     made.task.kicks = kelpie.KICKS_BY_RULES
     dribble = SimpleNamespace(plan='grab_turn_shoot', searched=0, search_side=1.0,
-                              aim=SimpleNamespace(gap=(10.0, -10.0), aimed=aimed),
+                              aim=SimpleNamespace(gap=(10.0, -10.0), aimed=aimed,
+                                                  points_into_gap=aimed),
                               should_carry=lambda world: carries)
     found = HeldChoice(Memory(), Contested()).choose(made, dribble, False)
     assert (found is not None) is kicks
