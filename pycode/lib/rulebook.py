@@ -17,6 +17,7 @@ class Kelpie:
     STRIKES_FROM_EDGES = True       # section 5.4: a held ball, out of the edges or the corners only
     AIMS_BY_POSE_IN_FRONT = True    # section 6.4.2: in the front half, at a goal that is not seen
     SIGHT_COUNTS_ALONE = False      # Alg 6.6: frames that were aimed by the pose do not count
+    SEARCHES_GOAL = False           # section 6.4.2: turns the shorter way to it, or to up-field
     SEARCH_SHARE = 2.0              # of the speed that section 6.4.2 turns at in search of the goal
     ONE_SPEED_BY_POSE = False       # section 6.4.2: also where the pose tells the goal's direction
     SPINS_UNTIL_SEEN = False        # section 6.4.2: no kick before time is out
@@ -37,6 +38,7 @@ class Thesis(Kelpie):
     STRIKES_FROM_EDGES = False
     AIMS_BY_POSE_IN_FRONT = False
     SIGHT_COUNTS_ALONE = True
+    SEARCHES_GOAL = True
     SEARCH_SHARE = 1.0              # times
     ONE_SPEED_BY_POSE = True
     SPINS_UNTIL_SEEN = True

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# The robot that plays the ball (thesis 2006 Alg 4.2): keeps out of its own box, looks for landmarks
-# when that costs nothing, finds the ball, and uses the skill that the decision tree names. Keeps
-# the state, the skill, the leaf that it plays and why, the contest's latch and the goal. A skill
-# that is committed (a grab, a kick, a held ball) is not interrupted; any other may change in any
-# second frame: tree and map are a fifth of what an attacker may spend.
+# The robot that plays the ball (thesis 2006 Alg 4.2): keeps out of its own box, also with the ball
+# in its arms, looks for landmarks when that costs nothing, finds the ball, and uses the skill that
+# the decision tree names. Keeps the state, the skill, the leaf that it plays and why, the contest's
+# latch and the goal. A skill that is committed (a grab, a kick, a held ball) is not interrupted;
+# any other may change in any second frame: tree and map are a fifth of what an attacker may spend.
 import kelpie
 from arbiter.rules import RuleMachine
 from decisions import tree
@@ -11,7 +11,8 @@ from decisions.held_choice import HeldChoice
 from decisions.leaf_by_map import LeafByMap
 from lib import rulebook
 from lib.geom import from_field, heading
-from lib.steer import towards
+from lib.steer import filtered, towards
+from safety.own_box import ball_outside_box
 from situation.at_ball import Situation
 from situation.contested import Contested
 from situation.goal import OpponentGoal
@@ -119,6 +120,7 @@ class Attacker(RuleMachine):
         self.glance = Glance(memory)
         self.box_frames = 0     # for which it waited for a ball in the own box
         self.leaf, self.leaf_why = None, ()
+        self.chosen_by = ''     # who says another leaf than the tree does
         self.leaf_frame = 0
         self.tree_leaf, self.tree_place, self.tree_why = None, '', ()
 
@@ -129,7 +131,11 @@ class Attacker(RuleMachine):
         self.stuck.update(world)
         if not self.committed:
             self.choose(world, self.situation(world))
-        return super().step(world)
+        command = super().step(world)
+        if not self.fetches_from_box(world):
+            now = AttackerSituation(world, self.memory)
+            command.walk = filtered(now, command.walk, (ball_outside_box,))
+        return command
 
     def situation(self, world) -> AttackerSituation:
         now = AttackerSituation(world, self.memory)
@@ -233,15 +239,21 @@ class Attacker(RuleMachine):
     def box_in_the_way(self, world) -> bool:
         if world.ball.present and world.ball.position.y > BOX_LEFT_Y:
             self.box_frames = 0
-        if self.box_frames > BOX_WAIT_FRAMES and not has_goalie(world):
+        if self.fetches_from_box(world):
             return False
         return AvoidOwnBox.needed(world, self.memory.grab_lost < 2)
+
+    def fetches_from_box(self, world) -> bool:
+        """Whether it has waited long enough for a goalie that is not there."""
+        return self.box_frames > BOX_WAIT_FRAMES and not has_goalie(world)
 
     def choose_leaf(self, world):
         situation = Situation(world, self.contested.now, self.memory.approach_lost < 3)
         leaf, self.tree_place, *why = tree.decide(situation)
         self.tree_leaf, self.tree_why = leaf, tuple(why)
+        self.chosen_by = 'kept'
         if rulebook.by_kick_map(world) and world.task.grab:
+            self.chosen_by = 'leaf_by_map'
             leaf, *why = self.by_map.choose(world, situation, leaf, self.leaf)
         if leaf in tree.WITH_GRAB and not world.task.grab:
             leaf = LINE_UP
@@ -278,7 +290,7 @@ class Attacker(RuleMachine):
             trace.append((kelpie.LAYER_DECISION, 'tree ' + self.tree_place, self.tree_leaf,
                           *self.tree_why))
             if (self.leaf, self.leaf_why) != (self.tree_leaf, self.tree_why):
-                trace.append((kelpie.LAYER_DECISION, 'leaf_by_map', self.leaf, *self.leaf_why))
+                trace.append((kelpie.LAYER_DECISION, self.chosen_by, self.leaf, *self.leaf_why))
         if self.glance.looking:
             self.glance.explain(trace)
         if self.state == self.find and self.team_search.active:

@@ -11,6 +11,7 @@ from lib.paths import point_of
 SPEED = 34.0         # cm/s; the walk does 36 to 38 (docs/physical-body.md)
 SECONDS = 0.35       # to an edge of the box at least: the legs follow late
 OUTSIDE = 10.0       # cm that the neck base of another stays away from the box,
+AT_BALL = 6.0        # cm of who plays a ball beside it,
 NEAR = 45.0          # cm beyond that from which it minds: what the fast walk goes in a second
 KEPT_FREE = 28.0     # cm around the box; a head and paws reach 18 ahead of the neck, the trunk 20
                      # behind it
@@ -48,30 +49,51 @@ def clear_of(field, margin=KEPT_FREE) -> tuple[float, float, float]:
     return 0.5 * field.width - half, 0.5 * field.width + half, field.box_depth + margin
 
 
-def held_off(left, right, top, x, y, vx, vy) -> tuple[float, float]:
-    """No speed towards a side that is within reach of one second."""
+def held_off(left, right, top, x, y, vx, vy, seconds=1.0) -> tuple[float, float]:
+    """No speed towards a side that is within reach of so many seconds."""
     if y < top:
         if x <= left:
-            vx = min(vx, left - x)
+            vx = min(vx, (left - x) / seconds)
         elif x >= right:
-            vx = max(vx, right - x)
+            vx = max(vx, (right - x) / seconds)
     elif left < x < right:
-        vy = max(vy, top - y)
+        vy = max(vy, (top - y) / seconds)
     return vx, vy
+
+
+def no_deeper(left, right, top, x, y, vx, vy) -> tuple[float, float]:
+    """Of who is inside: no speed away from the side that is nearest."""
+    away = min(x - left, right - x, top - y)
+    if away == top - y:
+        return vx, max(vy, 0.0)
+    return (min(vx, 0.0) if away == x - left else max(vx, 0.0)), vy
 
 
 def outside_box(now, walk) -> kelpie.WalkRequest:
     """The filter of everybody else: no speed that would lead into the own box within a second. Who
     is inside already walks on as it is."""
-    pose = now.world.pose
     left, right, top = clear_of(now.world.field, OUTSIDE)
-    x, y = point_of(pose)
+    x, y = point_of(now.world.pose)
     if y > top + NEAR or (left < x < right and y < top):
         return walk
-    angle = math.radians(pose.heading_deg)
-    sine, cosine = math.sin(angle), math.cos(angle)
-    vx = walk.forward * cosine - walk.left * sine
-    vy = walk.forward * sine + walk.left * cosine
+    vx, vy = to_field(now.world.pose.heading_deg, walk.forward, walk.left)
     vx, vy = held_off(left, right, top, x, y, vx, vy)
-    walk.forward, walk.left = vx * cosine + vy * sine, vy * cosine - vx * sine
+    walk.forward, walk.left = to_robot(now.world.pose.heading_deg, vx, vy)
+    return walk
+
+
+def ball_outside_box(now, walk) -> kelpie.WalkRequest:
+    """The filter of who plays the ball or holds it: as far as the box, at full speed for a ball
+    that lies before it, and back out of it."""
+    left, right, top = clear_of(now.world.field, AT_BALL)
+    x, y = point_of(now.world.pose)
+    if y > top + NEAR:
+        return walk
+    asked = to_field(now.world.pose.heading_deg, walk.forward, walk.left)
+    if left < x < right and y < top:
+        allowed = no_deeper(left, right, top, x, y, *asked)
+    else:
+        allowed = held_off(left, right, top, x, y, *asked, SECONDS)
+    if allowed != asked:
+        walk.forward, walk.left = to_robot(now.world.pose.heading_deg, *allowed)
     return walk

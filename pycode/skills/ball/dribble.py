@@ -17,7 +17,8 @@ LATERAL = 4.0          # cm at most beside the ball's middle
 LATERAL_GAIN = 0.1     # cm per deg that the goal is off
 FACED = 50.0         # deg: turn to the ball first
 LONGEST = 4.0        # s
-BACK = 110.0         # deg: it is not driven on when the goal lies so far off its way
+BACK = 110.0         # deg: it is not driven on when the goal lies so far off its way,
+NEAR = 40.0          # cm: which is known when it is near
 
 
 class Dribble(Machine):
@@ -40,7 +41,7 @@ class Dribble(Machine):
             return self.enter(world, self.ended, None, 'ran {} s', LONGEST)
         ball = world.ball.relative
         wanted = wrap(self.where(world) - heading(ball.x, ball.y))
-        if abs(wanted) > BACK:
+        if abs(wanted) > BACK and world.ball.distance < NEAR:
             return self.enter(world, self.ended, None, 'the goal is {} deg off its way', wanted)
         # To send it left one hits its right side.
         lateral = clamp(LATERAL_GAIN * wanted, -LATERAL, LATERAL)

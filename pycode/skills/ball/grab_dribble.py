@@ -9,7 +9,7 @@ import math
 import kelpie
 from arbiter.machine import Machine
 from lib import hints, rulebook
-from lib.geom import clamp, wrap
+from lib.geom import clamp, from_field, heading, wrap
 from situation.aim import Aim
 from situation.goal import UP_FIELD_DEG
 from situation.infrared import somebody_near
@@ -68,6 +68,13 @@ def search_speed(world) -> float:
     """deg/s of the turn in search of the goal."""
     speed = SEARCH_TURN if world.pose.position.y < SEARCH_Y else SEARCH_TURN_FRONT
     return rulebook.of(world).SEARCH_SHARE * speed
+
+
+def way_to_goal(world) -> float:
+    """deg of the shorter turn to where the pose has the goal, or to up-field."""
+    if rulebook.of(world).SEARCHES_GOAL:
+        return heading(*from_field(world.pose, 0.5 * world.field.width, world.field.length))
+    return wrap(UP_FIELD_DEG - world.pose.heading_deg)
 
 
 def lines_from(world) -> tuple[float, float, float, float]:
@@ -249,8 +256,7 @@ class GrabDribble(Machine):
     def search_turn(self, world):
         """Goal not seen and pose not sure: turn the shorter way by what the pose says."""
         if self.searched == 0:
-            to_goal = wrap(UP_FIELD_DEG - world.pose.heading_deg)
-            self.search_side = 1.0 if to_goal >= 0.0 else -1.0
+            self.search_side = 1.0 if way_to_goal(world) >= 0.0 else -1.0
         self.searched += 1
         return carry(turn=search_speed(world) * self.search_side)
 

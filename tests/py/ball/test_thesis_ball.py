@@ -4,6 +4,8 @@ numbers of thesis 2006 chapter 5 and sections 6.3 and 6.4."""
 import kelpie
 import pytest
 from decisions import tree
+from ideal_world import IdealWorld
+from players.forward import Forward
 from roles.attacker import Attacker
 from situation.at_ball import Situation
 from situation.memory import Memory
@@ -69,6 +71,25 @@ def test_to_avoid_its_own_goal_a_robot_walks_to_the_side_of_the_ball():
     made = by(THESIS, world(180.0, 180.0, -90.0, (180.0, 150.0)))
     walk = played(made, True).skill.step(made).walk
     assert abs(walk.left) > 20.0 and 0.0 < walk.forward < abs(walk.left)
+
+
+class GoalOverTheBall(IdealWorld):
+    """Its goal is seen by the foot, too: with a ball under the chin the camera looks down."""
+
+    def in_view(self, point, height):
+        return any(super(GoalOverTheBall, self).in_view(point, each) for each in (height, 3.0))
+
+
+@pytest.mark.parametrize('seed', range(6))
+def test_by_the_theses_rules_a_lone_robot_scores(seed):
+    ideal, player, motions = GoalOverTheBall(seed), Forward(), set()
+    by(THESIS, ideal.world)
+    while not ideal.scored and ideal.world.time_s < 60.0:
+        command = player.step(ideal.world)
+        motions.add(command.motion)
+        ideal.step(command)
+    assert ideal.scored and ideal.grabs > 0
+    assert kelpie.KICK_FORWARD not in motions   # a kick of ours
 
 
 # Sub-zones of figure 5.2: a held ball at a side edge is brought in by section 6.4.5, in a corner it

@@ -116,6 +116,13 @@ def test_a_goal_that_nobody_knows_of_is_turned_for_at_one_speed(rules, y, speed)
     assert [command.walk.turn_deg for command in run(made, skill, 5)] == pytest.approx([speed] * 5)
 
 
+@pytest.mark.parametrize('rules, side', [(THESIS, 1.0), (KELPIE, -1.0)])
+def test_the_goal_is_searched_the_shorter_way_to_it_not_to_up_field(rules, side):
+    """Beside the goal at the right, looking up-field and a little to the left."""
+    made, skill = holding(rules, 304.0, 488.0, 101.0, sure=False)
+    assert run(made, skill, 1)[0].walk.turn_deg * side > 0.0
+
+
 @pytest.mark.parametrize('rules, wanted', [(THESIS, [50.0] * 3), (KELPIE, [130.0] * 3)])
 def test_in_the_own_half_the_pose_says_which_way_and_the_theses_turn_at_that_speed(rules, wanted):
     made, skill = holding(rules, y=150.0, heading=20.0)
