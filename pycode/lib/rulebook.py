@@ -7,6 +7,28 @@ import kelpie
 
 class Kelpie:
     """What Kelpie plays."""
+    # The search for the ball (thesis 2006 section 6.2.2). The turn of algorithm 6.2 so many times:
+    # from 13 starts without a ball in sight it was seen and kept in sight after 2.9 s on average,
+    # at the algorithm's 55 deg/s after 3.9.
+    SPIN_TIMES = 2.0           # times
+    EXPLORES = True            # goes by what images showed: no ball there; and roams in the end
+    BACKS_OFF_BRIEFLY = True   # and not from a ball that was sent away
+    FORCES_LOOK = False        # where a kick sent the ball ("use force")
+    SHARES_GAZE = True         # a landmark comes into the image beside the ball
+    LEADS_BALL = True          # the head goes to where the ball will be when it gets there
+    GLANCES = True             # an attacker looks at landmarks as it walks, besides section 4.3.2.4
+    APPROACHES_NEAR = False    # only a near ball is approached, in the words of section 4.3.2.4
+    HEARS_OF_BALL = True       # who has lost the ball goes by where mates see it
+    SEARCH_RESTS = True        # at its place in the team's search each spins for some seconds only
+    # Roles and places (thesis 2006 sections 4.3.3, 4.4 and 4.5.2)
+    HANDS_OVER = True          # a change of the attacker takes time, and the word of the other
+    PAIR_SUPPORTS = True       # of two forwards one supports, the ball in the other half
+    DEFENDER_STAYS = True      # the defender of the last frame has a bonus
+    DEFENDER_SEES_WAY = False  # the time home counts obstacles and being stuck
+    ON_STRING = True           # a place moves when its ball has moved some way
+    LEAVES_WAYS = True         # a home in the attacker's way is moved
+    FEELS_HELD = True          # who is held backs off as from paws; nobody backs time and again
+    ATTACKER_BACKS = True      # so does an attacker
     THESIS = False
 
     # The ball, thesis 2006
@@ -29,6 +51,24 @@ class Kelpie:
 
 class Thesis(Kelpie):
     """What the theses write, and where they are silent the least that works."""
+    SPIN_TIMES = 1.0           # times
+    EXPLORES = False
+    BACKS_OFF_BRIEFLY = False
+    FORCES_LOOK = True
+    SHARES_GAZE = False
+    LEADS_BALL = False
+    GLANCES = False
+    APPROACHES_NEAR = True
+    HEARS_OF_BALL = False
+    SEARCH_RESTS = False
+    HANDS_OVER = False
+    PAIR_SUPPORTS = False
+    DEFENDER_STAYS = False
+    DEFENDER_SEES_WAY = True
+    ON_STRING = False
+    LEAVES_WAYS = False
+    FEELS_HELD = False
+    ATTACKER_BACKS = False
     THESIS = True
 
     APPROACH_TURN = 1.0             # times
@@ -77,6 +117,21 @@ def only_spins(world) -> bool:
     return not of(world).THESIS and world.task.search == kelpie.SEARCH_BY_SPIN
 
 
+def flies_home(world) -> bool:
+    """Whether who is far from home goes there by Bird of Prey."""
+    return of(world).THESIS or world.task.bird_of_prey
+
+
+def finds_together(world) -> bool:
+    """Whether a ball that the team lost is looked for by all of it."""
+    return of(world).THESIS or world.task.distributed_find
+
+
 def passes(world) -> bool:
     """Passing is work to come in the thesis (section 8.2)."""
     return not of(world).THESIS and world.task.passing
+
+
+def score_aware(world) -> bool:
+    """So is a goalie that minds the score (section 5.2)."""
+    return not of(world).THESIS and world.task.score_aware

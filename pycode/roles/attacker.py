@@ -36,6 +36,7 @@ KEPT_FRAMES = 12  # [6, 24] frames
 LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
 SEEN_S = 0.1            # s: a sighting that gps refused is none
 WATCH = 0.4             # s after a kick
+FORCED_FRAMES = 12      # of a forced look after a kick: as long
 AHEAD = 15.0  # deg
 FOLLOW = 40.0  # cm/s: a ball that went ahead is followed meanwhile,
 FOLLOW_FROM = 30.0      # cm; not one that was left lying
@@ -139,7 +140,7 @@ class Attacker(RuleMachine):
 
     def situation(self, world) -> AttackerSituation:
         now = AttackerSituation(world, self.memory)
-        now.paw_pushes = self.stuck.needed(world)
+        now.paw_pushes = rulebook.of(world).ATTACKER_BACKS and self.stuck.needed(world)
         ended = self.state == self.play and self.skill is not None and self.skill.done
         now.ended = self.leaf if ended else ''
         now.landmarks = self.localise_skill
@@ -219,18 +220,23 @@ class Attacker(RuleMachine):
 
     def after_skill(self, world) -> FindBall:
         """Watches where the ball goes; a skill that leaves no hint itself sent it ahead."""
-        if self.memory.hint is None or self.memory.frame - self.memory.hint[2] > 2:
+        hinted = self.memory.hint is not None and self.memory.frame - self.memory.hint[2] <= 2
+        if not hinted:
             self.memory.set_hint(*LOOK_AFTER)
+        search = FindBall(world, self.memory)
+        if rulebook.of(world).FORCES_LOOK and (isinstance(self.skill, KickBall) or not hinted):
+            search.force(self.memory.hint[1], self.memory.frame + FORCED_FRAMES)
         self.by_map = LeafByMap()
         self.leaf = None
-        return FindBall(world, self.memory)
+        return search
 
     def watch(self, world):
         """The ball that was just kicked is not where it was believed: what is seen of it in this
         time is not played yet, only followed."""
         command = self.skill.step(world)
         distance, off_deg = self.memory.hint[:2]
-        if abs(off_deg) < AHEAD and distance >= FOLLOW_FROM:
+        follows = not rulebook.of(world).FORCES_LOOK
+        if follows and abs(off_deg) < AHEAD and distance >= FOLLOW_FROM:
             command.walk = kelpie.WalkRequest(forward=FOLLOW, kind=kelpie.WALK_FAST)
         if self.timed_out(world, WATCH):
             self.enter(world, self.find, self.skill, 'it has rolled for {} s', WATCH)

@@ -12,6 +12,7 @@ WRITERS = {'spun': 'skills/ball/spin_for_ball', 'saw_close': 'skills/head/track_
            'grabbed': 'roles/attacker', 'set_hint': 'roles/attacker'}
 
 NEVER = 10000           # frames
+NEAR = 40.0             # cm to the ball
 IR_RANGE = 50.0         # cm that the near sensor of the head reads at most
 IR_SHARE = 0.3          # of a new reading in the filter
 OWN_GOAL_KEPT = 15      # frames for which an own goal that was seen is carried along by the turn
@@ -35,7 +36,9 @@ class Memory:
         self.ir = IR_RANGE          # cm, low-passed near distance of the head
         self.chest = IR_RANGE       # cm, low-passed distance of the chest: the carpet before it
         self.close_lost = NEVER     # frames since the ball was close (find_ball)
-        self.approach_lost = NEVER  # frames since a grab was approached
+        self.approach_lost = NEVER  # frames since a grab was approached,
+        self.approach_near_lost = NEVER  # and since that was near the ball
+        self.near = False           # the ball is near in this frame
         self.grab_lost = NEVER      # frames since a grab was begun or the ball held
         self.localised_lost = NEVER  # frames since the head last looked for landmarks
         self.marks = {}             # of each kind of landmark: the frame in which it was seen last
@@ -47,6 +50,8 @@ class Memory:
         self.turn_lost += 1
         self.close_lost += 1
         self.approach_lost += 1
+        self.approach_near_lost += 1
+        self.near = world.ball.present and world.ball.distance < NEAR
         self.grab_lost += 1
         self.localised_lost += 1
         self._see(world)
@@ -90,6 +95,8 @@ class Memory:
     def approached(self) -> None:
         """A grab is approached in this frame."""
         self.approach_lost = 0
+        if self.near:
+            self.approach_near_lost = 0
 
     def grabbed(self) -> None:
         """A grab runs or the ball is held in this frame."""

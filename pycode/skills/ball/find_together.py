@@ -8,7 +8,7 @@ import math
 
 import kelpie
 from arbiter.machine import Machine
-from lib import search_places
+from lib import rulebook, search_places
 from lib.geom import from_field
 from lib.paths import SILENT_S
 from lib.steer import aim_at, towards
@@ -27,7 +27,6 @@ AGAIN_S = 1.0         # between two looks at who is where
 # that are seen from 90 cm only, two were never found by spinning on.
 SPIN_S = 7.0    # s at the place,
 REST_S = 12.0   # s alone
-SPIN_TIMES = 2.0      # of algorithm 6.2's speed, as skills/ball/find_ball.py
 
 
 class FindTogether(Machine):
@@ -41,7 +40,7 @@ class FindTogether(Machine):
         self.placed_s = 0.0
         self.rest_until_s = -math.inf
         self.bird = BirdOfPrey()
-        self.spinning = SpinForBall(memory, 1.0, SPIN_TIMES)
+        self.spinning = SpinForBall(memory, 1.0)
 
     @property
     def active(self) -> bool:
@@ -49,7 +48,7 @@ class FindTogether(Machine):
 
     def step(self, world) -> kelpie.Command:
         """A Command, or None: the own search goes on."""
-        reported = heard_of(world)
+        reported = heard_of(world) if rulebook.of(world).HEARS_OF_BALL else None
         if reported is not None and math.hypot(*from_field(world.pose, *reported)) > NEAR:
             if self.state != self.follow:
                 self.enter(world, self.follow, None, 'seen by a mate {} s ago',
@@ -65,7 +64,7 @@ class FindTogether(Machine):
 
     def together(self, world) -> bool:
         team = world.team_ball
-        return (world.task.distributed_find and self.memory.ball_lost > self.lost_frames and
+        return (rulebook.finds_together(world) and self.memory.ball_lost > self.lost_frames and
                 world.time_s > self.rest_until_s and
                 not (team.present and team.seconds_since_seen < FRESH_S))
 
@@ -94,7 +93,7 @@ class FindTogether(Machine):
             self.choose_place(world)
         if math.hypot(*from_field(world.pose, *self.place)) < ARRIVED:
             side = 1.0 if self.memory.spin_side >= 0.0 else -1.0
-            self.spinning = SpinForBall(self.memory, side, SPIN_TIMES)
+            self.spinning = SpinForBall(self.memory, side, rulebook.of(world).SPIN_TIMES)
             return self.enter(world, self.spin, None, 'at its place ({}, {})', *self.place)
         return kelpie.Command(walk=self.bird.step(world, self.place),
                               head=Scan().step(world, world.time_s))
@@ -102,6 +101,6 @@ class FindTogether(Machine):
     def spin(self, world):
         if math.hypot(*from_field(world.pose, *self.place)) > LEFT:
             return self.enter(world, self.go, self.bird, 'pushed off its place')
-        if self.timed_out(world, SPIN_S):
+        if rulebook.of(world).SEARCH_RESTS and self.timed_out(world, SPIN_S):
             self.rest_until_s = world.time_s + REST_S
         return self.spinning.step(world)

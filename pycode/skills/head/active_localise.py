@@ -8,6 +8,7 @@ import math
 
 import kelpie
 from arbiter.machine import Machine
+from lib import rulebook
 from lib.geom import from_field, heading
 from lib.landmarks import ATTACKER_PAN, choose_landmark, look_at_landmark
 from skills.head.track_ball import TrackBall, believed
@@ -33,9 +34,11 @@ GOOD_SD = 5.0         # cm; a pose this sure is looked after as seldom as allowe
 def attacker_may_look(world, memory) -> bool:
     """All six conditions of thesis 2006 section 4.3.2."""
     ball = world.ball
+    near = rulebook.of(world).APPROACHES_NEAR
+    approach_lost = memory.approach_near_lost if near else memory.approach_lost
     return (memory.spin_lost <= SPUN and memory.ball_run >= SEEN
             and ball.distance > FAR and abs(ball.heading_deg) < AHEAD
-            and memory.close_lost > CLOSE and memory.approach_lost > APPROACHED
+            and memory.close_lost > CLOSE and approach_lost > APPROACHED
             and memory.localised_lost > LOOKED)
 
 

@@ -8,6 +8,7 @@
 import math
 
 import kelpie
+from lib import rulebook
 from lib.head import view
 from lib.landmarks import ATTACKER_PAN, in_reach, look_at_landmark
 from skills.head.active_localise import LandmarkLook
@@ -48,6 +49,8 @@ class Glance(LandmarkLook):
         return self.looking
 
     def due(self, world) -> bool:
+        if not rulebook.of(world).GLANCES:
+            return False
         every = EVERY_BAD if bad(world) else EVERY
         velocity = world.ball.velocity
         if math.hypot(velocity.x, velocity.y) > SLOW:

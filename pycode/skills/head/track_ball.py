@@ -8,6 +8,7 @@ import math
 
 import kelpie
 from arbiter.skill import Skill
+from lib import rulebook
 from lib.geom import Point, moved, polar
 from lib.intercept import relative_velocity, rolls
 from lib.projection import ground_through
@@ -41,7 +42,8 @@ class TrackBall(Skill):
 
     def gaze(self, world, point, height) -> kelpie.HeadRequest:
         """At the ball; beside it, to see a landmark too, while it lies still and is not near."""
-        if world.ball.distance < NEAR or rolls(world.ball):
+        shares = rulebook.of(world).SHARES_GAZE
+        if not shares or world.ball.distance < NEAR or rolls(world.ball):
             return aim_at(*point, height)
         return self.shared.beside(world, point, height)
 
@@ -65,6 +67,8 @@ def by_projection(ball, world):
 def led(world, point) -> Point:
     """A point in line with the ball, moved on as the ball rolls and the robot walks meanwhile."""
     x, y = point
+    if not rulebook.of(world).LEADS_BALL:
+        return x, y
     if rolls(world.ball):
         vx, vy = relative_velocity(world)
         farther = math.hypot(x, y) / max(world.ball.distance, 1.0)

@@ -5,6 +5,7 @@
 # is looked for in the wrong place; the sweep in between finds it then.
 import kelpie
 from arbiter.skill import Skill
+from lib import rulebook
 from lib.geom import from_field
 from lib.steer import aim_at
 from situation.time_to import SURE_FRAMES
@@ -35,7 +36,8 @@ class WatchPlay(Skill):
             return self.mark.step(world)
         if self.memory.ball_lost <= SURE_FRAMES and world.ball.present:
             return self.track.step(world)
-        if ball is not None and self.memory.ball_lost // TURN_FRAMES % 2 == 0:
+        hears = rulebook.of(world).HEARS_OF_BALL
+        if hears and ball is not None and self.memory.ball_lost // TURN_FRAMES % 2 == 0:
             return aim_at(*from_field(world.pose, *ball))
         return Scan().step(world, world.time_s)
 
