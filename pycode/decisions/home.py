@@ -8,6 +8,7 @@ import math
 import kelpie
 from decisions import positions, positions_passing
 from decisions.positions_regression import PLACE, RegressedPositions, attacker_angle, attacks
+from lib import rulebook
 from lib.paths import attacker_of, bearing_of, point_of
 from situation import keep_off
 
@@ -24,7 +25,8 @@ class Home:
 
     def update(self, world, role, ball, lanes) -> tuple:
         """The place on the field for this frame."""
-        at = self.string.update(ball)
+        rules = rulebook.of(world)
+        at = self.string.update(ball, positions.STRING if rules.ON_STRING else 0.0)
         self.frames -= 1
         if at is None:
             wide, long = positions.WITHOUT_BALL[role]
@@ -36,12 +38,12 @@ class Home:
         else:
             self.raw = (*positions.PLACES[role](world.field, at), None)
         place = self.raw[0], self.raw[1]
-        if world.task.passing and at is not None:
+        if rulebook.passes(world) and at is not None:
             if self.frames <= 0 or self.passing is None:
                 self.frames = EVERY_FRAMES
                 self.passing = positions_passing.moved(world, role, place, at, self.passing)
             place = self.passing
-        return keep_off.cleared(world.field, place, lanes)
+        return keep_off.cleared(world.field, place, lanes) if rules.LEAVES_WAYS else place
 
     def by_examples(self, world, role, ball):
         if self.regressed is None:

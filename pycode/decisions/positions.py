@@ -62,19 +62,19 @@ WITHOUT_BALL = {kelpie.STRIKER: (0.7, 0.65), kelpie.SUPPORTER: (0.5, 0.4),
 
 
 class BallOnString:
-    """Follows a ball at most STRING cm behind."""
+    """Follows a ball on a string."""
 
     def __init__(self):
         self.at = None
 
-    def update(self, ball):
-        """The place of the followed ball; `ball` None leaves it."""
+    def update(self, ball, string=STRING):
+        """The place of the followed ball, at most so many cm behind it; `ball` None leaves it."""
         if ball is None or self.at is None:
             self.at = ball if self.at is None else self.at
             return self.at
         dx, dy = ball[0] - self.at[0], ball[1] - self.at[1]
         away = math.hypot(dx, dy)
-        if away > STRING:
-            share = (away - STRING) / away
+        if away > string:
+            share = (away - string) / away
             self.at = self.at[0] + share * dx, self.at[1] + share * dy
         return self.at

@@ -8,6 +8,7 @@ import math
 
 import kelpie
 from decisions import positions
+from lib import rulebook
 from lib.paths import SILENT_S
 from situation import time_to
 
@@ -63,10 +64,9 @@ def should_defend(own, mates, home) -> Answer:
     attackers = [mate for mate in mates if mate.note.role == kelpie.ATTACKER]
     one = min(attackers or mates, key=lambda mate: (mate.note.time_to_ball, mate.player))
     others = [mate for mate in mates if mate.player != one.player]
-    mine = time_to.of_pose(own.pose, home) - (HOME_S if own.defended else 0.0)
+    mine = own.seconds_to(home) - own.bonus(own.defended)
     for mate in others:
-        theirs = time_to.of_pose(mate.pose, home)
-        theirs -= HOME_S if mate.note.role == kelpie.DEFENDER else 0.0
+        theirs = own.seconds_to(home, mate) - own.bonus(mate.note.role == kelpie.DEFENDER)
         if theirs < mine - TIE_S or (theirs < mine + TIE_S and mate.player < own.player):
             return False, 'player {} is home in {} s, itself in {} s', mate.player, theirs, mine
     return True, 'is home in {} s', mine
@@ -87,6 +87,7 @@ class Own:
     """What algorithm 4.6 asks of oneself. `ball`: on the field, or None; `last`: its last role."""
 
     def __init__(self, world, memory, last):
+        self.world, self.rules = world, rulebook.of(world)
         self.player, self.pose = world.game.player, world.pose
         self.attacked, self.defended = last == kelpie.ATTACKER, last == kelpie.DEFENDER
         grabs = time_to.grabs_now(world, memory)
@@ -96,6 +97,18 @@ class Own:
                                        grabs != kelpie.GRABS_NOT)
         self.sees = memory.ball_lost <= time_to.SURE_FRAMES and world.ball.present
         self.distance = world.ball.distance
+
+    def seconds_to(self, point, mate=None) -> float:
+        """To a point of the field, for itself or a mate."""
+        if not self.rules.DEFENDER_SEES_WAY:
+            return time_to.of_pose(mate.pose if mate is not None else self.pose, point)
+        if mate is None:
+            return time_to.to_point(self.world, point)
+        return time_to.of_mate(self.world, mate, point)
+
+    def bonus(self, defended) -> float:
+        """Of the defender of the last frame, in s."""
+        return HOME_S if defended and self.rules.DEFENDER_STAYS else 0.0
 
 
 class RoleChoice:
@@ -128,10 +141,10 @@ class RoleChoice:
             self.attacker_s = world.time_s
         elif yes and self.leaves_it(world, own, mates):
             yes, why = False, ['a quicker mate takes the ball']
-        if yes != own.attacked and not own.started:
-            yes, why = self.handed_over(world, own, mates, yes, why)
-        elif yes == own.attacked:
+        if yes == own.attacked:
             self.quicker_s = None
+        elif own.rules.HANDS_OVER and not own.started:
+            yes, why = self.handed_over(world, own, mates, yes, why)
         if yes:
             self.take(kelpie.ATTACKER, why)
         else:
@@ -140,7 +153,8 @@ class RoleChoice:
 
     def leaves_it(self, world, own, mates) -> bool:
         """Nobody attacks, but somebody did just now, and a mate is quicker."""
-        return (world.time_s - self.attacker_s < HAND_OVER_S and not own.started and
+        just_now = own.rules.HANDS_OVER and world.time_s - self.attacker_s < HAND_OVER_S
+        return (just_now and not own.started and
                 any(mate.note.time_to_ball < own.seconds - TIE_S for mate in mates))
 
     def handed_over(self, world, own, mates, yes, why):
@@ -163,7 +177,8 @@ class RoleChoice:
         if own.ball is None:
             last = self.role if self.role != kelpie.ATTACKER else kelpie.STRIKER
             return last, why
-        if len(mates) == 1 and own.ball[1] > 0.5 * world.field.length:
+        in_their_half = own.ball[1] > 0.5 * world.field.length
+        if own.rules.PAIR_SUPPORTS and len(mates) == 1 and in_their_half:
             # Ours: two forwards that attack need one behind the ball, not one far back.
             return kelpie.SUPPORTER, ('the only other, the ball in their half',)
         yes, *home = should_defend(own, mates, positions.defender(world.field, own.ball))
@@ -178,5 +193,5 @@ def goes_forward(world) -> bool:
     by more than three goals. A switch, since an empty goal costs more than one attacker gains in
     any closer match."""
     game, task = world.game, world.task
-    return (task.score_aware and task.player in (kelpie.GOALIE, kelpie.GOALIE_2004) and
+    return (rulebook.score_aware(world) and task.player in (kelpie.GOALIE, kelpie.GOALIE_2004) and
             game.opponent_score - game.own_score > BEHIND)

@@ -9,6 +9,7 @@ import kelpie
 from arbiter.rules import RuleMachine
 from decisions.home import Home
 from decisions.roles import NAMES
+from lib import rulebook
 from lib.geom import from_field
 from lib.paths import bearing_of
 from lib.steer import facing, filtered
@@ -38,8 +39,9 @@ class SupporterSituation:
     def __init__(self, world, memory):
         self.world, self.memory = world, memory
         reported = heard_of(world)
-        self.reported = reported is not None    # the team has the ball that this robot has lost
-        self.ball = reported if self.reported else time_to.ball_of(world, memory.ball_lost)
+        self.ball = reported or time_to.ball_of(world, memory.ball_lost)
+        # The team has the ball that this robot has lost: it need not look for it.
+        self.reported = reported is not None and rulebook.of(world).HEARS_OF_BALL
         self.lanes = keep_off.lanes(world, self.ball)
         self.home, self.away = None, 0.0   # the place, and how far it is
         self.paw_pushes = False

@@ -37,11 +37,11 @@ def seconds(distance, off_deg=0.0, obstacles=0.0, stuck=False) -> float:
             (STUCK_S if stuck else 0.0))
 
 
-def of_pose(pose, point) -> float:
+def of_pose(pose, point, obstacles=0.0) -> float:
     """For a robot at a pose to a point of the field, both as anybody may know them."""
     dx, dy = point[0] - pose.position.x, point[1] - pose.position.y
     off_deg = wrap(math.degrees(math.atan2(dy, dx)) - pose.heading_deg)
-    return seconds(math.hypot(dx, dy), off_deg)
+    return seconds(math.hypot(dx, dy), off_deg, obstacles)
 
 
 def on_way(cells, start, end) -> float:
@@ -71,6 +71,12 @@ def to_point(world, point) -> float:
     place = world.pose.position
     return seconds(math.hypot(x, y), heading(x, y),
                    on_way(world.obstacles, (place.x, place.y), point), is_stuck(world))
+
+
+def of_mate(world, mate, point) -> float:
+    """Of a mate, as far as it is known here: nobody tells that it is stuck."""
+    here = mate.pose.position.x, mate.pose.position.y
+    return of_pose(mate.pose, point, on_way(world.obstacles, here, point))
 
 
 def is_stuck(world) -> bool:

@@ -7,7 +7,7 @@ import math
 
 import kelpie
 from arbiter.skill import Skill
-from lib import paths
+from lib import paths, rulebook
 from lib.geom import from_field, heading, polar
 from lib.steer import towards
 
@@ -48,7 +48,7 @@ class BirdOfPrey(Skill):
         if self.frames > 0:
             return
         self.frames = EVERY_FRAMES
-        if not world.task.bird_of_prey:
+        if not rulebook.flies_home(world):
             self.bend = 0.0
             return
         here = paths.point_of(world.pose)

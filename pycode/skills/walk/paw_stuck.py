@@ -11,6 +11,7 @@ import math
 
 import kelpie
 from arbiter.machine import Machine
+from lib import rulebook
 from situation.headway import Headway
 
 BACK_S = 0.8          # ours; the body feels a paw for 0.4 s after it was pressed
@@ -32,7 +33,8 @@ def blocked(world) -> tuple[bool, bool]:
     ball, feeling = world.ball, world.motion.feeling
     if ball.present and ball.distance < BALL_AT_PAWS:
         return False, False
-    if feeling.stuck and world.last_command.walk.forward > WALKS_AHEAD:
+    held = feeling.stuck and rulebook.of(world).FEELS_HELD
+    if held and world.last_command.walk.forward > WALKS_AHEAD:
         return True, True
     left, right = feeling.paw_blocked
     return left, right
@@ -61,14 +63,16 @@ class PawStuck(Machine):
         if self.state != self.free and not self.ended(world):
             return True
         left, right = blocked(world)
-        held = self.headway.none
-        if not (left or right or held) or world.time_s < self.deaf_until_s:
+        ours = rulebook.of(world).FEELS_HELD
+        held = ours and self.headway.none
+        if not (left or right or held) or (ours and world.time_s < self.deaf_until_s):
             return False
         self.begin(world, left or held, right or held)
         return True
 
     def ended(self, world) -> bool:
-        held = world.motion.feeling.stuck and self.timed_out(world, FELT_S)
+        held = (world.motion.feeling.stuck and rulebook.of(world).FEELS_HELD and
+                self.timed_out(world, FELT_S))
         if not held and not self.timed_out(world, BACK_S):
             return False
         self.deaf_until_s = (world.time_s + HELD_DEAF_S if held else
@@ -78,7 +82,8 @@ class PawStuck(Machine):
 
     def begin(self, world, left, right):
         self.headway.begin_at(math.inf)
-        again = self.straight_s is not None and world.time_s - self.straight_s < AGAIN_S
+        again = (rulebook.of(world).FEELS_HELD and self.straight_s is not None and
+                 world.time_s - self.straight_s < AGAIN_S)
         if left and right and not again:
             self.straight_s = world.time_s
             self.enter(world, self.back, None, 'held, or both front paws are blocked')

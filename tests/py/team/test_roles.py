@@ -9,6 +9,7 @@ import pytest
 from decisions import positions
 from decisions.roles import (CHALLENGE_S, HAND_OVER_S, Own, RoleChoice, forwards, should_attack,
                              should_defend)
+from lib import rulebook
 from situation import time_to
 from situation.memory import Memory
 from situations import put_ball, world
@@ -16,8 +17,9 @@ from situations import put_ball, world
 HOME = (180.0, 85.0)
 
 
-class Me:
+class Me(Own):
     """What algorithm 4.6 asks of oneself, for tables."""
+    world, rules = None, rulebook.Kelpie
 
     def __init__(self, seconds=4.0, player=3, attacked=False, sees=True, started=False,
                  distance=100.0, at=(180.0, 200.0), defended=False):
