@@ -17,6 +17,7 @@ class Kelpie:
     SHARES_GAZE = True         # a landmark comes into the image beside the ball
     LEADS_BALL = True          # the head goes to where the ball will be when it gets there
     GLANCES = True             # an attacker looks at landmarks as it walks, besides section 4.3.2.4
+    SPUN = 60                  # frames since a spin that are recent in section 4.3.2.4 (U02)
     APPROACHES_NEAR = False    # only a near ball is approached, in the words of section 4.3.2.4
     HEARS_OF_BALL = True       # who has lost the ball goes by where mates see it
     SEARCH_RESTS = True        # at its place in the team's search each spins for some seconds only
@@ -58,6 +59,8 @@ class Thesis(Kelpie):
     SHARES_GAZE = False
     LEADS_BALL = False
     GLANCES = False
+    # A ball that comes into view 73 deg aside is straight ahead 66 frames later, at 0.9 /s.
+    SPUN = 90                  # frames
     APPROACHES_NEAR = True
     HEARS_OF_BALL = False
     SEARCH_RESTS = False

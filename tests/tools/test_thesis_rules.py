@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`kelpie evaluate thesis-rules`: its table of the theses' rules, and that each of them is played."""
+"""`kelpie evaluate thesis-rules`: its table of the theses' rules, and that each is played."""
 
 import json
 import re

@@ -13,7 +13,6 @@ from lib.geom import from_field, heading
 from lib.landmarks import ATTACKER_PAN, choose_landmark, look_at_landmark
 from skills.head.track_ball import TrackBall, believed
 
-SPUN = 60             # frames since a spin that are recent (U02)
 SEEN = 5              # frames in a row in which the ball was seen
 FAR = 100.0           # cm
 AHEAD = 10.0          # deg
@@ -34,9 +33,9 @@ GOOD_SD = 5.0         # cm; a pose this sure is looked after as seldom as allowe
 def attacker_may_look(world, memory) -> bool:
     """All six conditions of thesis 2006 section 4.3.2."""
     ball = world.ball
-    near = rulebook.of(world).APPROACHES_NEAR
-    approach_lost = memory.approach_near_lost if near else memory.approach_lost
-    return (memory.spin_lost <= SPUN and memory.ball_run >= SEEN
+    rules = rulebook.of(world)
+    approach_lost = memory.approach_near_lost if rules.APPROACHES_NEAR else memory.approach_lost
+    return (memory.spin_lost <= rules.SPUN and memory.ball_run >= SEEN
             and ball.distance > FAR and abs(ball.heading_deg) < AHEAD
             and memory.close_lost > CLOSE and approach_lost > APPROACHED
             and memory.localised_lost > LOOKED)
