@@ -11,11 +11,11 @@ from lib import kick_table, rulebook
 from lib.geom import wrap
 from situation.aim import mouth
 from situation.memory import own_goal_at
+from skills.ball.grab_dribble import STOP_INSIDE
 
 UPENN_PLANS = {'grab_upenn_left': kelpie.UPENN_LEFT, 'grab_upenn_right': kelpie.UPENN_RIGHT}
 PASSES = {kick_choice.PASS_LEFT: kelpie.UPENN_LEFT, kick_choice.PASS_RIGHT: kelpie.UPENN_RIGHT}
 NOWHERE = 1e3         # deg
-STOP_INSIDE = 45.0    # cm from the lines: a ball that was carried back is let go there
 
 
 class HeldChoice:
@@ -68,7 +68,7 @@ class HeldChoice:
         if strike is not None:
             return strike, 'struck back into the field at once'
         if dribble.plan == 'grab_dribble_stop' and not overdue:
-            inside = dribble.line_distance(world) > STOP_INSIDE
+            inside = dribble.line_distance(world) >= STOP_INSIDE
             return (kick_choice.RELEASE, 'carried back into the field') if inside else None
         return self.by_rules(world, dribble, overdue)
 

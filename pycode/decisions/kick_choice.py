@@ -24,7 +24,8 @@ OWN_GOAL_RECENT = 5     # frames since the own goal was seen that count as seein
 
 class Hold:
     """What the rules ask. `gap`: (left, right) in deg or None; `aimed`: it was aimed at the gap
-    for long enough, and is still; `spin_frames`, `spin_side`: of the turn in search of the goal, +1 left."""
+    for long enough, and is still; `spin_frames`, `spin_side`: of the turn in search of the goal, +1
+    left."""
 
     def __init__(self, world, memory, contested, gap, aimed, spin_frames=0, spin_side=0.0):
         self.field = world.field

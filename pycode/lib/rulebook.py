@@ -106,6 +106,11 @@ def intercepts(world) -> bool:
     return not of(world).THESIS and world.task.intercept
 
 
+def grabs(world) -> bool:
+    """Whether a ball is grabbed where the tree says so, or lined up for."""
+    return of(world).THESIS or world.task.grab
+
+
 def dodges(world) -> bool:
     """Whether who stands in the way with the ball is gone round."""
     return of(world).THESIS or world.task.dodge

@@ -261,7 +261,7 @@ class Attacker(RuleMachine):
         if rulebook.by_kick_map(world) and world.task.grab:
             self.chosen_by = 'leaf_by_map'
             leaf, *why = self.by_map.choose(world, situation, leaf, self.leaf)
-        if leaf in tree.WITH_GRAB and not world.task.grab:
+        if leaf in tree.WITH_GRAB and not rulebook.grabs(world):
             leaf = LINE_UP
         settled = (world.ball.distance < SETTLED and
                    self.memory.frame - self.leaf_frame < KEPT_FRAMES)

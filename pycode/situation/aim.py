@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Where to shoot: the goal's free gaps as vision sees them (thesis 2006 section 6.4.2), one of them
 # locked until the shot, carried along by odometry while it is out of sight; else the mouth as the
-# pose has it, by the theses' rules in the own half alone. Keeps the locked side, the gap's headings, since when it was not seen, and how many
-# frames were aimed. By the pose alone it is as wrong as the pose.
+# pose has it, by the theses' rules in the own half alone. Keeps the locked side, the gap's
+# headings, since when it was not seen, and how many frames were aimed. By the pose alone it is as
+# wrong as the pose.
 from lib import rulebook
 from lib.geom import from_field, heading, wrap
 from situation.goal import sure

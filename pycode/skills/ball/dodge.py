@@ -43,7 +43,7 @@ def side_by_place(field, x, y) -> float:
     if x > field.width - EDGE or (x > field.width - CORNER and below < CORNER):
         return 1.0
     left_half = x < 0.5 * field.width
-    if y >= 0.5 * field.length:
+    if y > 0.5 * field.length:
         return -1.0 if left_half else 1.0
     return 1.0 if left_half else -1.0
 

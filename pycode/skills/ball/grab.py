@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # Walks at the ball and takes it between chin, chest and forelegs (thesis 2006 section 6.3): no side
 # steps, "can I grab" by six predicted frames, then the motion of 12 frames, or of 6 when the
-# infrared says that the ball is close, by the theses' rules also midway. Keeps the state and when the motion was asked for. Whether
-# the ball is held it leaves to what the body feels afterwards (skills/ball/hold.py). Begun too
-# early the jaw comes down on the ball and pushes it away; late does no harm.
+# infrared says that the ball is close, by the theses' rules also midway. Keeps the state and when
+# the motion was asked for. Whether the ball is held it leaves to what the body feels afterwards
+# (skills/ball/hold.py). Begun too early the jaw comes down on the ball and pushes it away; late
+# does no harm.
 import math
 
 import kelpie

@@ -50,6 +50,7 @@ OVER_TURN = 8           # [4, 16] frames (at most 50 in facts-2005 section 7.2):
                         # error
 EDGE = 22.0             # cm from a line: move away from it before anything else
 OFF_EDGE = 6.0          # cm farther, where that is walked
+STOP_INSIDE = 45.0      # cm from the lines: a ball that is carried back is let go there
 LOOKS_IN = 0.5          # cosine of the way in: who looks within 60 deg of it is turned to nothing
 OWN_GOAL_FRAMES = 5     # since the own goal was seen that count as seeing it
 
@@ -289,10 +290,11 @@ class GrabDribble(Machine):
         the line, backward, side and diagonal walk alone (section 6.4.5)."""
         if not self.at_edge(world):
             return self.enter(world, self.turn, None, 'off the line')
-        if rulebook.of(world).TURNS_AT_EDGE:
+        if rulebook.of(world).TURNS_AT_EDGE and not self.carries_back:
             return carry(turn=turn_towards(world, self.inwards(world)))
         ahead, left = self.way_in(world)
-        return carry(forward=SIDE_SPEED * min(0.0, ahead), left=SIDE_SPEED * left)
+        ahead = ahead if self.carries_back else min(0.0, ahead)
+        return carry(forward=SIDE_SPEED * ahead, left=SIDE_SPEED * left)
 
     def fire(self, world, choice):
         """Kicks or lets go, as (choice, reason, numbers...) says."""
@@ -344,15 +346,22 @@ class GrabDribble(Machine):
         return min(lines_from(world))
 
     def at_edge(self, world) -> bool:
-        """Whether it is near a line and does not look inwards."""
+        """Whether it is near a line and does not look inwards, or carries the ball back from it."""
+        if self.carries_back:
+            return self.line_distance(world) < STOP_INSIDE
         if rulebook.of(world).TURNS_AT_EDGE:
             return self.line_distance(world) < EDGE and abs(self.inwards(world)) > 60.0
         near = EDGE + (OFF_EDGE if self.state == self.off_edge else 0.0)
         return self.line_distance(world) < near and self.way_in(world)[0] < LOOKS_IN
 
+    @property
+    def carries_back(self) -> bool:
+        return self.plan == 'grab_dribble_stop'
+
     def way_in(self, world) -> tuple[float, float]:
         """Ahead and left: the direction square away from all lines that are near."""
-        left, right, bottom, top = (away < EDGE + OFF_EDGE for away in lines_from(world))
+        near = STOP_INSIDE if self.carries_back else EDGE + OFF_EDGE
+        left, right, bottom, top = (away < near for away in lines_from(world))
         x, y = float(left - right), float(bottom - top)
         size = math.hypot(x, y) or 1.0
         angle = math.radians(world.pose.heading_deg)

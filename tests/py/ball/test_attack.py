@@ -43,6 +43,9 @@ PLAYERS = {
         'striker': {'bird_of_prey', 'go_home', 'get_out_of_way', 'receive'},
         'defender': {'avoid_ball', 'avoid_attacker'}, 'find_together': {'follow', 'go'},
         'take_place': {'walk_there', 'set'}}),
+    'forward_by_the_theses': (Forward, 5, {
+        'grab_dribble': {'grab', 'settle', 'turn', 'kick', 'overdue', 'off_edge'},
+        'kick_ball': {'walk_up', 'kick'}, 'dribble': {'run'}}),
     'goalie': (Goalie, 6, {'goalie': {'turn', 'clear', 'attack', 'guard', 'adjust'}}),
     'goalie_2004': (EllipseGoalie, 3, {'ellipse_goalie': {'guard', 'attack', 'clear'}}),
     'goalie_2004_paw': (lambda: EllipseGoalie(True), 1, {'ellipse_goalie': {'guard', 'attack'}}),
@@ -50,6 +53,10 @@ PLAYERS = {
     'one_skill': (OneSkill, 2, {})}
 
 FREE_KICKS = [kick for kick, reported in kelpie.KICKS.items() if reported.leaf]
+
+
+def rules_of(name):
+    return kelpie.RULES_OF_THESIS if 'theses' in name else kelpie.RULES_OF_KELPIE
 
 
 def grab_dribble(random, memory):
@@ -74,6 +81,8 @@ def any_line_up(random, memory):
 ENDING = {
     'grab_dribble': (grab_dribble, 2, {'grab', 'settle', 'turn', 'steady', 'kick', 'overdue',
                                        'off_edge', 'ended'}, 8.5),
+    'grab_dribble_by_the_theses': (grab_dribble, 2, {
+        'grab', 'settle', 'turn', 'kick', 'overdue', 'off_edge', 'ended'}, 8.5),
     'grab': (lambda random, memory: Grab(memory), 1, {'approach', 'grab', 'finished'}, 2.1),
     'kick_ball': (any_kick, 1, {'walk_up', 'kick', 'ended'}, 5.1),
     'dribble': (any_dribble, 1, {'run', 'ended'}, 0.1),
@@ -99,7 +108,8 @@ def test_no_world_stops_a_player(name):
     make, worlds, wanted = PLAYERS[name]
     met = {}
     for seed in range(worlds):
-        random, player = RandomWorld(seed, 'goalie' in name, skill=seed), make()
+        random = RandomWorld(seed, 'goalie' in name, skill=seed, rules=rules_of(name))
+        player = make()
         command = kelpie.Command()
         for _ in range(FRAMES):
             command = player.step(random.next(command))
@@ -113,8 +123,8 @@ def test_no_world_stops_a_player(name):
 class Driven:
     """A skill in a random world, begun anew when it has ended, or in the middle now and then."""
 
-    def __init__(self, make, seed):
-        self.random, self.memory = RandomWorld(seed), Memory()
+    def __init__(self, make, seed, name=''):
+        self.random, self.memory = RandomWorld(seed, rules=rules_of(name)), Memory()
         self.random.goal = OpponentGoal()
         self.make, self.command = make, kelpie.Command()
         self.skill = make(self.random, self.memory)
@@ -145,7 +155,7 @@ def test_no_world_stops_a_skill_or_keeps_it_committed(name):
     make, worlds, wanted, limit_s = ENDING[name]
     met = set()
     for seed in range(worlds):
-        driven = Driven(make, seed)
+        driven = Driven(make, seed, name)
         for frame in range(FRAMES):
             driven.frame()
             if frame % 100 == 99 and getattr(driven.skill, 'committed', False):

@@ -179,7 +179,7 @@ def test_who_aims_by_pose_does_not_look_at_gaps():
 
 @pytest.mark.parametrize('x, y, side', [
     (59.9, 200, -1), (300.1, 200, 1), (99, 499, -1), (261, 499, 1), (150, 400, -1),
-    (210, 400, 1), (150, 200, 1), (210, 200, -1)])
+    (210, 400, 1), (150, 200, 1), (210, 200, -1), (150, 270, 1), (150, 271, -1)])
 def test_the_side_of_a_dodge_goes_by_the_place(x, y, side):
     """Alg 6.7: away from edges and corners; in the front half to the centre, else to the side."""
     assert dodge.side_by_place(FIELD, x, y) == side

@@ -57,6 +57,13 @@ def test_kelpie_grabs_whatever_is_contested(y, degrees, contested, wanted):
     assert sort(player.leaf) == 'grab' or not contested
 
 
+@pytest.mark.parametrize('rules, leaf', [(KELPIE, 'line_up_kick'), (THESIS, tree.GRAB_TURN_KICK)])
+def test_by_the_theses_a_ball_is_grabbed_whatever_the_switch_says(rules, leaf):
+    made = by(rules, facing_up_point(90.0, (180.0, 150.0)))
+    made.task.grab = False
+    assert played(made).leaf == leaf
+
+
 @pytest.mark.parametrize('rules, leaf', [(KELPIE, tree.GRAB_TURN_KICK),
                                          (THESIS, tree.AVOID_OWN_GOAL)])
 def test_a_contested_ball_of_the_own_third_is_not_driven_on_to_the_own_goal(rules, leaf):

@@ -284,6 +284,19 @@ def test_out_of_a_corner_it_goes_away_from_both_lines():
     assert (walk.forward, walk.left) == pytest.approx((-14.0, 0.0), abs=0.05)
 
 
+@pytest.mark.parametrize('heading, forward, left', [(90.0, -14.0, 0.0), (180.0, 0.0, 14.0),
+                                                    (-90.0, 14.0, 0.0)])
+def test_beside_the_goal_the_ball_is_carried_back_45_cm_and_let_go(heading, forward, left):
+    """Section 5.8: it is not dribbled across the goal line."""
+    made, skill = holding(THESIS, 270.0, 515.0, heading, plan=tree.GRAB_DRIBBLE_STOP)
+    walk = run(made, skill, 2)[-1].walk
+    assert (walk.forward, walk.left, walk.turn_deg) == pytest.approx((forward, left, 0.0), abs=0.05)
+    made.pose.position.y = 480.0
+    run(made, skill, 2)
+    assert skill.state == skill.steady
+    assert skill.choose(made, skill, False)[0] == kick_choice.RELEASE
+
+
 # The rules of holding, section 6.4.1
 
 @BOTH
