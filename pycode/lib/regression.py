@@ -43,13 +43,6 @@ class Regression:
                  tuple([x - q for x, q in zip(self.tree.points[i], query)]), self.outputs[i])
                 for away, i in near[:MAXIMUM]]
 
-    def mean(self, inputs) -> list:
-        """Equation 4.3, the weighted mean."""
-        near = self.neighbours(self.scaled(inputs))
-        total = sum(weight for weight, _, _ in near)
-        return [sum(weight * outputs[k] for weight, _, outputs in near) / total
-                for k in range(len(near[0][2]))]
-
     def answer(self, inputs, first=0, end=None) -> list:
         """Equation 4.10; of all outputs, or of those from `first` to `end`."""
         rows = normal_equations(self.neighbours(self.scaled(inputs)), first, end)
