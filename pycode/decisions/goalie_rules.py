@@ -2,6 +2,7 @@
 # The tests of the goalie's rules (thesis 2006 algorithm 4.1), each of a GoalieSituation and of the
 # state that is played: why its state is due, with the numbers that decided, or None. They keep and
 # change nothing. The order is the player's (players/goalie.py).
+from lib import rulebook
 from lib.goalie_places import beyond_box
 from situation import opponents
 from situation.shot import coming, speed
@@ -35,7 +36,7 @@ def shot_comes(now, playing):
 def stands_over_ball(now, playing):
     """A ball under the chin counts as held. Of 22 goalies that were taken out for it 20 had the
     ball in their goal within 6 s."""
-    seconds = now.paws.for_s
+    seconds = now.paws.for_s if rulebook.of(now.world).YIELDS else 0.0
     return ('stands over the ball for {} s', seconds) if seconds > BETWEEN_PAWS else None
 
 
@@ -50,7 +51,8 @@ def ball_comes(now, playing):
 
 def mate_grabs(now, playing):
     """A held ball is nobody else's to kick."""
-    return ('a mate grabs the ball',) if opponents.mate_grabs(now.world) else None
+    yields = rulebook.of(now.world).YIELDS and opponents.mate_grabs(now.world)
+    return ('a mate grabs the ball',) if yields else None
 
 
 def opponent_has_ball(now, playing):
@@ -72,10 +74,14 @@ def can_attack(now, playing):
     world, attacks = now.world, playing == 'attack'
     away = beyond_box(world.field, now.ball)
     if (not now.sees() or not now.seen_since_motion or away > (LEAVE if attacks else NEAR) or
-            speed(world.ball) > FAST or world.time_s < now.rest_s or now.pose_lost or
+            too_fast(world) or world.time_s < now.rest_s or now.pose_lost or
             now.kick_stand(attacks) is None):
         return None
     return 'the ball is {} cm beyond the box', away
+
+
+def too_fast(world) -> bool:
+    return rulebook.of(world).ATTACKS_BRIEFLY and speed(world.ball) > FAST
 
 
 def guards(now, playing):

@@ -3,6 +3,7 @@
 # see it; nowhere else while it is looked for at first, all round if it was lost close by; then in
 # the middle, and at last so near to the line that no ball can lie behind the robot unseen. Keeps
 # nothing. By a wrong pose every place is wrong.
+from lib import rulebook
 from lib.goalie_places import MIN_Y, central_place
 from lib.paths import point_of
 from safety.own_goal import round_ball
@@ -16,6 +17,9 @@ def guard_place(now, eyes, rule):
     survey looks elsewhere: its time is none of looking for the ball. `rule`: from the field and a
     ball to a place."""
     world = now.world
+    if not rulebook.of(world).SPARES_OWN_GOAL:
+        known = world.ball.present and now.lost_for < UNSEEN
+        return rule(world.field, now.ball) if known else central_place(world.field)
     if now.reported is not None:
         return place_for(world, rule, now.reported)
     lost = now.lost_for if now.pose_settled else 0.0

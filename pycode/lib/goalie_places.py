@@ -18,10 +18,6 @@ CLIP_X = 35.0         # cm from the middle; facts-2005 section 7.2
 CLIP_HEADING = 60.0   # deg from up-field; facts-2005 section 7.2
 ELLIPSE_ACROSS = 45.0  # cm, half axes; checklist U18
 ELLIPSE_OUT = 25.0  # cm
-CIRCLE_NEAR = 10.0  # cm,
-CIRCLE_FAR = 45.0  # cm, the circle's radius
-BALL_NEAR = 60.0  # cm,
-BALL_FAR = 250.0  # cm, for a ball that near to the goal, and that far
 ROUND = 18.0          # cm; a straight way that comes nearer to the ball pushes it,
 TRUNK = 16.0          # cm that the trunk reaches behind the neck base
 MARGIN = 10.0         # cm that the neck base keeps inside the box; the pose is off by 2.6 cm, and
@@ -62,11 +58,19 @@ def facing(place, ball) -> Place:
 
 
 def bisector_place(field, ball) -> Place:
-    """On the bisector at y = 20 cm (thesis 2006 section 4.3.1, checklist G15); with a ball nearer
-    to the line than 40 cm, half as far from it as the ball. Never farther to the side than the
-    mouth."""
+    """On the bisector at y = 20 cm; with a ball nearer to the line than 40 cm, half as far from it
+    as the ball."""
+    return on_bisector(field, ball, clamp(0.5 * max(ball[1], 1.0), MIN_Y, STAND_Y))
+
+
+def fixed_bisector_place(field, ball) -> Place:
+    """On the bisector at y = 20 cm (thesis 2006 section 4.3.1, checklist G15)."""
+    return on_bisector(field, ball, STAND_Y)
+
+
+def on_bisector(field, ball, y) -> Place:
+    """Where it crosses that y, but never farther to the side than the mouth."""
     ball_y = max(ball[1], 1.0)
-    y = clamp(0.5 * ball_y, MIN_Y, STAND_Y)
     dx, dy = bisector(field, (ball[0], ball_y))
     x = ball[0] + dx * (ball_y - y) / max(-dy, 1e-6) if ball_y > y else ball[0]
     x0 = middle(field)[0]
@@ -82,17 +86,6 @@ def ellipse_place(field, ball) -> Place:
         dy = 1.0
     share = 1.0 / math.hypot(dx / ELLIPSE_ACROSS, dy / ELLIPSE_OUT)
     return facing((x0 + share * dx, y0 + share * dy), ball)
-
-
-def circle_place(field, ball) -> Place:
-    """The older rule of thesis 2006 section 4.3.1: on a circle about the goal's middle, farther out
-    for a farther ball."""
-    x0, y0 = middle(field)
-    dx, dy = ball[0] - x0, max(ball[1], 0.0) - y0
-    away = max(math.hypot(dx, dy), 1e-6)
-    share = clamp((away - BALL_NEAR) / (BALL_FAR - BALL_NEAR), 0.0, 1.0)
-    radius = CIRCLE_NEAR + share * (CIRCLE_FAR - CIRCLE_NEAR)
-    return facing((x0 + radius * dx / away, y0 + radius * dy / away), ball)
 
 
 def past_ball(start, end, ball) -> bool:

@@ -30,6 +30,20 @@ class Kelpie:
     LEAVES_WAYS = True         # a home in the attacker's way is moved
     FEELS_HELD = True          # who is held backs off as from paws; nobody backs time and again
     ATTACKER_BACKS = True      # so does an attacker
+    # The goalies (thesis 2006 section 4.3.1, thesis 2004 section 4.2)
+    WATCHES_POSE = True        # doubts a pose that jumps or is lost, and surveys the landmarks then
+    YIELDS = True              # leaves the ball to who has it; steps off one between its paws
+    BLOCKS_LATE = True         # lies down only for what neither legs nor a side step reach
+    CLEARS_BY_MAP = True       # by the best kick of the map
+    ATTACKS_BRIEFLY = True     # for some seconds, and no fast ball
+    SPARES_OWN_GOAL = True     # no walk or turn that takes a ball in; looks about for a near one
+    DROPS_BACK = True          # nearer to the line for a near ball
+    LOOKS_LOW = True           # at five low points in place of one, and first where it was lost
+    PAW_KICK = False           # the goalie of 2004 clears by it
+    # The challenger (thesis 2004 section 4.1.6)
+    AIMS_BEHIND = False        # a point, so that it faces a feature in the end
+    FEATURE_S = 1.0            # s of each look
+    ALL_FEATURES = False       # at each in view, not only the best two
     THESIS = False
 
     # The ball, thesis 2006
@@ -72,6 +86,18 @@ class Thesis(Kelpie):
     LEAVES_WAYS = False
     FEELS_HELD = False
     ATTACKER_BACKS = False
+    WATCHES_POSE = False
+    YIELDS = False
+    BLOCKS_LATE = False
+    CLEARS_BY_MAP = False
+    ATTACKS_BRIEFLY = False
+    SPARES_OWN_GOAL = False
+    DROPS_BACK = False
+    LOOKS_LOW = False
+    PAW_KICK = True
+    AIMS_BEHIND = True
+    FEATURE_S = 1.33           # s, 40 frames
+    ALL_FEATURES = True
     THESIS = True
 
     APPROACH_TURN = 1.0             # times

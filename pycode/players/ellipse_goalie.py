@@ -7,6 +7,7 @@
 # 2006 holds for it, too (checklist K07).
 import kelpie
 from arbiter.rules import RuleMachine
+from lib import rulebook
 from lib.goalie_places import beyond_box, central_place, ellipse_place
 from lib.paths import point_of
 from lib.steer import filtered
@@ -46,7 +47,7 @@ def attack_failed(world) -> tuple | None:
         return 'the ball is {} cm beyond the box', away
     if percept.present and abs(percept.heading_deg) > Paw.MAX_OFF:
         return 'the ball is seen {} deg aside', percept.heading_deg
-    if not seen(world, UNSEEN_NEAR):
+    if not rulebook.of(world).PAW_KICK and not seen(world, UNSEEN_NEAR):
         return 'the ball is unseen for {} s', world.ball.seconds_since_seen
     return None
 
@@ -115,7 +116,7 @@ class EllipseGoalie(RuleMachine):
 
     def skill_of(self, name, now):
         if name == 'attack':
-            return PawKick() if self.paw else AttackBall()
+            return PawKick() if self.by_paw(now.world) else AttackBall()
         return GuardGoal(OF_2004)
 
     # States
@@ -126,9 +127,13 @@ class EllipseGoalie(RuleMachine):
 
     def can_attack(self, world, goes_on) -> bool:
         """Whether there is a place to kick the ball from; the paw kick only runs."""
-        if not self.paw:
-            self.stands = kick_stand.choose(world, self.stands if goes_on else None)
-        return self.paw or self.stands.stand is not None
+        if self.by_paw(world):
+            return True
+        self.stands = kick_stand.choose(world, self.stands if goes_on else None)
+        return self.stands.stand is not None
+
+    def by_paw(self, world) -> bool:
+        return self.paw or rulebook.of(world).PAW_KICK
 
     def place(self, world):
         if not seen(world, UNSEEN):
@@ -136,7 +141,7 @@ class EllipseGoalie(RuleMachine):
         return ellipse_place(world.field, point_of(world.ball))
 
     def attack(self, world):
-        best = None if self.paw else clearing_kick(world)
+        best = None if self.by_paw(world) else clearing_kick(world)
         if best is not None:
             return self.enter(world, self.clear, Kick(world, best.kick),
                               'to {} deg, {} deg off the own goal', best.direction, best.off_goal)

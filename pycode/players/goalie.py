@@ -7,7 +7,8 @@ import kelpie
 from arbiter.rules import RuleMachine
 from decisions import goalie_rules as rules
 from decisions.guard_place import guard_place
-from lib.goalie_places import beside, bisector_place, facing
+from lib import rulebook
+from lib.goalie_places import beside, bisector_place, facing, fixed_bisector_place
 from lib.steer import filtered
 from players.halted import Halted
 from safety.own_box import straight_back
@@ -47,9 +48,9 @@ class Goalie(RuleMachine):
     GUARDED = (hold_position, faces_reported_ball, no_own_goal)   # what is left of a guard's walk
     STEPPED = (straight_back,)                                # and of a step back
 
-    def __init__(self, rule=bisector_place):
+    def __init__(self, rule=None):
         super().__init__(self.guard, GuardGoal(OF_2006))
-        self.rule = rule            # from the field and a ball to the place to guard
+        self.rule = rule  # from the field and a ball to the place to guard; None: the match's
         self.memory = Memory()
         self.now = GoalieSituation(self.memory)
         self.eyes = GoalieHead(self.memory, self.now)
@@ -153,18 +154,21 @@ class Goalie(RuleMachine):
         return self.acting(world, walk=self.skill.step(world, facing(place, self.now.ball)))
 
     def attack(self, world):
-        if self.timed_out(world, ATTACK):
+        if rulebook.of(world).ATTACKS_BRIEFLY and self.timed_out(world, ATTACK):
             self.now.attack_failed(REST)
             return self.enter(world, self.guard, GuardGoal(OF_2006), 'the attack timed out')
         return self.acting(world, walk=self.skill.step(world, self.now.kick_stand(True)))
 
     def guard(self, world) -> kelpie.Command:
-        place = guard_place(self.now, self.eyes, self.rule)
+        rules = rulebook.of(world)
+        usual = bisector_place if rules.DROPS_BACK else fixed_bisector_place
+        place = guard_place(self.now, self.eyes, self.rule or usual)
         if place is not None:
             walk = self.skill.step(world, place)
         else:
             walk = self.look_about.step(world, self.eyes.turn_side(world))
-        walk = filtered(self.now, walk, self.GUARDED)
+        if rules.SPARES_OWN_GOAL:
+            walk = filtered(self.now, walk, self.GUARDED)
         return kelpie.Command(walk=walk, head=self.eyes.step(world, True))
 
     def acting(self, world, **answer) -> kelpie.Command:

@@ -6,7 +6,7 @@
 import math
 
 import kelpie
-from lib import intercept, kick_table
+from lib import intercept, kick_table, rulebook
 from lib.geom import Point, wrap
 from lib.goalie_places import UP_FIELD, off_own_goal
 from situation.shot import speed
@@ -22,6 +22,7 @@ LATENCY = 0.05, 0.2  # s from asking to the motion's beginning, at least and at 
 STRIKE = 0.2         # s from there to the strike: a kick's last key frame ends after 0.18 to 0.24
 UTILITY = 0.45       # [0.225, 0.9] of a kick that is done as the ball lies
 FAR = 180.0          # [90, 360] cm that are as good as farther
+UPENN = kelpie.UPENN_LEFT, kelpie.UPENN_RIGHT   # the goalie's kicks in 2006
 SIDEWAYS = 0.35      # [0.175, 0.7] utility lost by a kick across the field
 ACROSS = 0.85        # [0.425, 1] share left of one that goes past the goal's middle
 OPPONENT = 70.0      # cm to an opponent that stands in the way,
@@ -126,7 +127,15 @@ def clearing_kick(world) -> Clearance | None:
     ball = world.ball
     if not ball.present or ball.seconds_since_seen > SEEN or ball.distance > NEAR:
         return None
-    strikes_at = strikes(world)
-    found = [clearance(world, kick, strikes_at) for kick in kick_table.kicks(False)]
+    by_map, strikes_at = rulebook.of(world).CLEARS_BY_MAP, strikes(world)
+    found = [clearance(world, kick, strikes_at) for kick in kicks(world)]
+    if not by_map:
+        safe = [one for one in found if one is not None]
+        return max(safe, key=lambda one: one.off_goal, default=None)
     good = [one for one in found if one is not None and one.utility > UTILITY]
     return max(good, key=lambda one: one.utility, default=None)
+
+
+def kicks(world) -> tuple:
+    """That a goalie may clear with: all of the map, or to either side by a foreleg's swipe."""
+    return kick_table.kicks(False) if rulebook.of(world).CLEARS_BY_MAP else UPENN

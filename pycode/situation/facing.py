@@ -6,6 +6,7 @@
 # long scrum it sees no landmark either, and is then called wrong for nothing.
 import math
 
+from lib import rulebook
 from lib.geom import wrap
 from lib.goalie_places import UP_FIELD, beyond_box
 from lib.landmarks import GOALS
@@ -79,10 +80,11 @@ class Facing:
         if self.own_goal >= OWN_FRAMES:
             return 'the own goal is ahead, seen {} times', self.own_goal
         unseen = world.time_s - self.landmark_s
+        ours = rulebook.of(world).WATCHES_POSE
         if unseen > NOTHING and unseen > (
-                NOTHING_CROWDED if opponents.at_hand(world) else NOTHING):
+                NOTHING_CROWDED if ours and opponents.at_hand(world) else NOTHING):
             return 'no landmark for {} s', unseen
-        if self.was_home and world.time_s - self.near_box_s > OFF_TIME:
+        if ours and self.was_home and world.time_s - self.near_box_s > OFF_TIME:
             return 'the pose is {} cm off the box', off_box(world)
         return None
 

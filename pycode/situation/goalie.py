@@ -6,6 +6,7 @@
 import math
 
 from arbiter.lasting import Lasting
+from lib import rulebook
 from lib.geom import from_field
 from lib.paths import point_of
 from situation import kick_stand, opponents
@@ -50,15 +51,24 @@ class GoalieSituation:
     def update(self, world) -> None:
         """Takes one frame; to be called first."""
         self.asked = {}
+        rules = rulebook.of(world)
+        self.world = world = self.watched(world) if rules.WATCHES_POSE else world
+        self.shots.update(world)
+        self.facing.update(world)
+        self.reported = self.heard() if rules.HEARS_OF_BALL else None
+        self.paws.update(world, self.reported)
+        if rules.YIELDS:
+            self.see_others(world)
+
+    def watched(self, world):
+        """The world with the pose that is believed."""
         self.pose.update(world)
         if self.pose.gave_in:
             self.gave_in_s = world.time_s
         self.pose_lost = self.pose.lost(world)
-        self.world = world = self.pose.believed(world)
-        self.shots.update(world)
-        self.facing.update(world)
-        self.reported = self.heard()
-        self.paws.update(world, self.reported)
+        return self.pose.believed(world)
+
+    def see_others(self, world):
         self.opponent_has_ball = self.has.update(world.time_s, opponents.has_ball(world))
         pressed = self.is_pressed()
         self.pressed = self.presses.update(world.time_s, pressed) and pressed

@@ -6,11 +6,11 @@
 # whoever pushes it.
 import math
 
-from lib import kick_table
+from lib import kick_table, rulebook
 from lib.geom import wrap
 from lib.goalie_places import MARGIN, UP_FIELD, beyond_box, direction, middle, past_ball
 from lib.paths import point_of
-from situation.clearance import Clearance
+from situation.clearance import Clearance, kicks
 
 TURNS = (0.0, -20.0, 20.0, -45.0, 45.0, -70.0, 70.0)  # deg from the way to the ball
 PACE = 26.0         # cm/s: what a place costs in time,
@@ -65,7 +65,7 @@ def choose(world, before=None) -> Choice:
     if world.time_s - before.chosen_s < AGAIN and rolled < MOVED:
         return before
     ahead = direction(point_of(world.pose), ball)
-    stands = [Stand(ball, kick, ahead + turn) for kick in kick_table.kicks(False)
+    stands = [Stand(ball, kick, ahead + turn) for kick in kicks(world)
               for turn in TURNS]
     costs = [(cost(world, ball, stand, before.stand), stand) for stand in stands
              if possible(world, ball, stand)]
@@ -91,7 +91,9 @@ def cost(world, ball, stand, chosen) -> float:
     x, y = world.pose.position.x, world.pose.position.y
     away = math.hypot(stand.x - x, stand.y - y)
     turn = abs(wrap(stand.heading - world.pose.heading_deg))
-    seconds = max(away / PACE, turn / PACE_TURN) - UTILITY * clearance.utility
+    seconds = max(away / PACE, turn / PACE_TURN)
+    if rulebook.of(world).CLEARS_BY_MAP:
+        seconds -= UTILITY * clearance.utility
     if past_ball((x, y), (stand.x, stand.y), ball):
         seconds += ASTERN
     same = chosen is not None and chosen.kick == stand.kick and chosen.direction == stand.direction

@@ -4,15 +4,17 @@
 # only then, since a false block costs 1.5 s on the ground. It fails against a shot that the filter
 # tells of too late.
 import kelpie
+from lib import rulebook
 from situation.shot import Shot, coming
 
 # Facts-2005 section 7.2, in cm/s and s; what differs says why.
-SPEED = 35.0             # [17.5, 70] cm/s; 12 in 2005. A slower ball is walked to, it leaves the
-                         # time
+SPEED = 35.0             # [17.5, 70] cm/s. A slower ball is walked to, it leaves the time;
+SPEED_2005 = 12.0        # cm/s
 SOONEST = 0.1            # s, 3 frames; later than that no block is in time
 LATEST = 0.8             # s, 27 frames; before it, walk
 CENTRE = 9.0             # cm to the side, to which the wide block is right
-REACH = 36.0             # cm; 30 in 2005. block_left covers 32 (docs/physical-body.md) and a radius
+REACH = 36.0             # cm; block_left covers 32 (docs/physical-body.md) and a radius
+REACH_2005 = 30.0        # cm
 STAND_SPEED = 160.0      # [80, 320] cm/s; up to there a ball is stopped standing, if that is
                          # enough: on its feet the goalie clears before the attacker comes, but a
                          # block takes 1.7 s. Of 96 balls 3 went in, 7 when every one was blocked
@@ -31,12 +33,12 @@ MOVED = 0.4              # and has gone that share of the way that its velocity 
 NAMES = {kelpie.BLOCK: 'wide', kelpie.BLOCK_LEFT: 'left', kelpie.BLOCK_RIGHT: 'right'}
 
 
-def block_for(shot: Shot) -> int:
+def block_for(shot: Shot, late=True) -> int:
     """The block that meets a shot in time, or NO_MOTION: wide for one that comes straight, else to
-    the side on which it would pass."""
-    if not SOONEST <= shot.seconds <= LATEST or abs(shot.lateral) > REACH:
+    the side on which it would pass. `late`: none for what is stopped standing."""
+    if not SOONEST <= shot.seconds <= LATEST or abs(shot.lateral) > (REACH if late else REACH_2005):
         return kelpie.NO_MOTION
-    if shot.speed < STAND_SPEED and abs(shot.lateral) < stepped(shot.seconds):
+    if late and shot.speed < STAND_SPEED and abs(shot.lateral) < stepped(shot.seconds):
         return kelpie.NO_MOTION
     if abs(shot.lateral) <= CENTRE:
         return kelpie.BLOCK
@@ -54,12 +56,15 @@ class ShotWatch:
         self.frames = 0
         self.run = 0      # frames in which the ball was seen, but for single ones
         self.shot = None
+        self.late = True  # the rule of this match
         self.was = None   # the ball's place on the field in the last frame
 
     def update(self, world):
         """To be called in every frame."""
         seen = world.ball.seconds_since_seen < SEEN
-        self.shot = coming(world, BESIDE, SHORT, SPEED) if seen else None
+        self.late = rulebook.of(world).BLOCKS_LATE
+        slowest = SPEED if self.late else SPEED_2005
+        self.shot = coming(world, BESIDE, SHORT, slowest) if seen else None
         moved = self.moved(world)
         sure = self.shot is not None and self.shot.speed < FASTEST and self.steady() and moved
         self.frames = self.frames + 1 if sure else 0
@@ -83,4 +88,4 @@ class ShotWatch:
     def block(self) -> int:
         """The block to be done now, or NO_MOTION."""
         believed = self.frames >= FRAMES
-        return block_for(self.shot) if believed else kelpie.NO_MOTION
+        return block_for(self.shot, self.late) if believed else kelpie.NO_MOTION

@@ -174,8 +174,8 @@ def test_walks_to_a_ball_before_a_goal_are_mirrored_with_the_goal(place, goal):
 def test_a_goalie_guards_mirrored_places(place):
     one, mirrored = both(place)
     assume(one.ball.position.y > goalie_places.STAND_Y)  # nearer, straight behind is a tie
-    for rule in (goalie_places.bisector_place, goalie_places.ellipse_place,
-                 goalie_places.circle_place):
+    for rule in (goalie_places.bisector_place, goalie_places.fixed_bisector_place,
+                 goalie_places.ellipse_place):
         walks = [GuardGoal(OF_2006).step(made, rule(FIELD, (made.ball.position.x,
                                                           made.ball.position.y)))
                  for made in (one, mirrored)]

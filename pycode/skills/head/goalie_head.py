@@ -8,6 +8,7 @@ import math
 
 import kelpie
 from arbiter.machine import Machine
+from lib import rulebook
 from lib.geom import from_field
 from lib.head import look_at, view
 from lib.landmarks import GOALIE_PAN, in_reach, look_at_landmark
@@ -141,7 +142,7 @@ class GoalieHead(Machine):
         self.marked = self.marked or any(mark.kind == self.skill.kind
                                          for mark in world.percepts.landmarks)
         if not self.free or self.timed_out(world, Look.TIME):
-            if self.free and not self.marked:
+            if self.free and not self.marked and rulebook.of(world).WATCHES_POSE:
                 return self.enter(world, self.survey, None, 'no landmark where the pose says')
             return self.after_glance(world)
         return look_at_landmark(world, self.skill)

@@ -10,6 +10,7 @@ import math
 
 import kelpie
 from arbiter.skill import Skill
+from lib import rulebook
 from lib.geom import from_field, heading
 from lib.head import MAX_PAN, look_at, view
 from lib.landmarks import GOALS
@@ -49,12 +50,14 @@ class PointScan(Skill):
         was lost farther away."""
         self.start_s = world.time_s
         self.beacons = beacons(world.field)
-        self.near = tuple((near * pan, near * turn) for pan, turn in NEAR) if near else ()
+        ours = rulebook.of(world).LOOKS_LOW
+        self.lows = LOW if ours else (0.0,)
+        self.near = tuple((near * pan, near * turn) for pan, turn in NEAR) if near and ours else ()
         self.branch, self.at = 'beacon', 0   # the point looked at
 
     def period(self) -> float:
         """Seconds of one round."""
-        return len(self.beacons) * Looks.BEACON + len(LOW) * Looks.LOW
+        return len(self.beacons) * Looks.BEACON + len(self.lows) * Looks.LOW
 
     def rounds(self, world) -> int:
         """That came to an end."""
@@ -82,8 +85,8 @@ class PointScan(Skill):
             pan = off_deg if abs(off_deg) < MAX_PAN else FROM_MIDDLE[self.at]
             return view(pan, Looks.DOWN, world.stance)
         low = int((passed - len(self.beacons) * Looks.BEACON) / Looks.LOW)
-        self.branch, self.at = 'low', min(low, len(LOW) - 1)
-        return self.low(world, LOW[self.at])
+        self.branch, self.at = 'low', min(low, len(self.lows) - 1)
+        return self.low(world, self.lows[self.at])
 
     def turn_side(self, world) -> float:
         """Where the body must turn, +1 left: a head panned to the side cannot look down. 0: not."""

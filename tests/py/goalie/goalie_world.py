@@ -11,6 +11,7 @@ import random
 import kelpie
 from decisions.guard_place import guard_place
 from lib import kick_table
+from lib.goalie_places import bisector_place, facing
 from skills.head.point_scan import PointScan
 from skills.walk.guard_goal import OF_2006, GuardGoal
 
@@ -250,7 +251,7 @@ def guards(player, world):
 def place_of(player, world):
     """Where it guards, or None."""
     player.now.update(world)
-    return guard_place(player.now, player.eyes, player.rule)
+    return guard_place(player.now, player.eyes, player.rule or bisector_place)
 
 
 def reported(world, ball, seconds, sd=3.0):
@@ -278,6 +279,20 @@ def world_at(x=180.0, y=20.0, heading=90.0):
     world.ball = kelpie.BallEstimate(present=True, distance=150.0)
     world.ball.relative.y = 150.0
     return world
+
+
+CIRCLE = 10.0, 45.0    # cm, the least and the greatest radius,
+BALL = 60.0, 250.0     # cm, for a ball that near to the goal's middle, and that far
+
+
+def circle_place(field, ball):
+    """The rule that older teams had (thesis 2006 section 4.3.1): on a circle about the goal's
+    middle, farther out for a farther ball."""
+    dx, dy = ball[0] - 0.5 * field.width, max(ball[1], 0.0)
+    away = max(math.hypot(dx, dy), 1e-6)
+    share = min(1.0, max(0.0, (away - BALL[0]) / (BALL[1] - BALL[0])))
+    radius = CIRCLE[0] + share * (CIRCLE[1] - CIRCLE[0])
+    return facing((0.5 * field.width + radius * dx / away, radius * dy / away), ball)
 
 
 def nobody(world):

@@ -4,6 +4,7 @@ import random
 
 import kelpie
 import pytest
+from goalie_world import CIRCLE, circle_place
 from lib import goalie_places as places
 from safety import own_box, own_goal, rear_wall
 from situation import shot
@@ -61,17 +62,18 @@ def test_ellipse_place_is_on_the_ellipse_and_on_the_line_to_the_goals_middle(bal
 
 def test_circle_is_wider_for_a_farther_ball():
     def radius(ball):
-        x, y, _ = places.circle_place(FIELD, ball)
+        x, y, _ = circle_place(FIELD, ball)
         return math.hypot(x - 180, y)
     radii = [radius((180, y)) for y in (40, 60, 100, 150, 200, 250, 400)]
-    assert radii == sorted(radii) and radii[0] == places.CIRCLE_NEAR
-    assert radii[-1] == pytest.approx(places.CIRCLE_FAR)
+    assert radii == sorted(radii) and radii[0] == CIRCLE[0]
+    assert radii[-1] == pytest.approx(CIRCLE[1])
     assert radius((100, 120)) == pytest.approx(radius((260, 120)))
 
 
 @pytest.mark.parametrize('field', [FIELD, OLD])
 def test_all_rules_are_mirrored(field):
-    for rule in (places.bisector_place, places.ellipse_place, places.circle_place):
+    for rule in (places.bisector_place, places.fixed_bisector_place, places.ellipse_place,
+                 circle_place):
         for x, y in BALLS:
             a, b = rule(field, (x, y)), rule(field, (field.width - x, y))
             assert a[0] + b[0] == pytest.approx(field.width)

@@ -12,7 +12,7 @@ from lib.goalie_places import central_place
 
 @pytest.mark.parametrize('seconds, over', [(1.1, False), (1.3, True)])
 def test_a_ball_may_lie_between_the_paws_for_1_2_s(seconds, over):
-    now = SimpleNamespace(paws=SimpleNamespace(for_s=seconds))
+    now = SimpleNamespace(world=kelpie.WorldFrame(), paws=SimpleNamespace(for_s=seconds))
     assert (goalie_rules.stands_over_ball(now, 'guard') is not None) is over
 
 
