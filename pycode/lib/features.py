@@ -4,6 +4,8 @@
 # halfway between two of them on one line is secondary, for a look at the line alone. Keeps nothing.
 from lib.geom import Point
 
+FEATURE_OFF = 15.0  # cm; one nearer to a goal point is not faced there
+BEHIND = 25.0  # cm
 SAME = 4.0  # cm; a corner is the end of two lines whose middles are half a line's width apart
 
 
@@ -28,6 +30,21 @@ def secondary(field) -> list[Point]:
             if not in_goal(field, middle):
                 places.append(middle)
     return places
+
+
+def to_face(field, point) -> Point:
+    """The primary feature that a robot is to face at a goal point: the closest one that is not too
+    near."""
+    return min((place for place in primary(field) if distance(place, point) > FEATURE_OFF),
+               key=lambda place: distance(place, point))
+
+
+def behind(field, point) -> Point:
+    """The place a little behind a goal point on the line from the feature to be faced there (thesis
+    2004 section 4.1.6): who turns to the point then faces both."""
+    feature = to_face(field, point)
+    share = BEHIND / distance(feature, point)
+    return (point[0] + share * (point[0] - feature[0]), point[1] + share * (point[1] - feature[1]))
 
 
 def in_goal(field, place) -> bool:

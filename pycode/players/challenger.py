@@ -7,6 +7,7 @@
 # the wrong places.
 import kelpie
 from arbiter.machine import Machine
+from lib import features, rulebook
 from lib.route import points_of, shortest
 from situation.pose_watch import is_sure
 from skills.walk.go_to_point import Challenge, GoToPoint
@@ -86,7 +87,10 @@ class Challenger(Machine):
     def next_point(self, world):
         """The way to the next point, or the end, begins with the next frame."""
         if self.points:
-            self.enter(world, self.visit, GoToPoint(self.points[0], Challenge.NEAR),
+            first = None
+            if rulebook.of(world).AIMS_BEHIND:
+                first = features.behind(world.field, self.points[0])
+            self.enter(world, self.visit, GoToPoint(self.points[0], Challenge.NEAR, first),
                        '{} points are left', len(self.points))
         else:
             self.enter(world, self.finish, None, 'no point is left')

@@ -5,7 +5,7 @@
 # nothing of use.
 import kelpie
 from arbiter.skill import Skill
-from lib import features
+from lib import features, rulebook
 from lib.geom import Point, from_field, heading
 from lib.head import look_at, view
 from skills.walk.look_round import Look
@@ -16,10 +16,9 @@ class Features:
     REACH = 80.0             # to either side
     NEAREST = 15.0           # cm
     FARTHEST = 200.0         # cm
-    CHOICE = 3               # so many of the best are looked at in turn
-    TIME = 1.0               # a look; thesis 2004 section 4.1.6 has 1.3 s
     WALL_PAN = 40.0  # deg
 
+BEST = 3        # so many of the features are looked at in turn
 WALL_EVERY = 3  # every third look is at the wall, to the left and to the right in turn
 
 
@@ -34,7 +33,7 @@ class WatchField(Skill):
 
     def step(self, world) -> kelpie.HeadRequest:
         if world.time_s >= self.next_s:
-            self.next_s = world.time_s + Features.TIME
+            self.next_s = world.time_s + rulebook.of(world).FEATURE_S
             self.looks += 1
             self.target = self.next_target(world)
         if self.target is None:
@@ -47,8 +46,12 @@ class WatchField(Skill):
             return None
         if self.places is None:
             self.places = features.primary(world.field), features.secondary(world.field)
-        seen = in_reach(world.pose, *self.places)
-        return seen[self.looks % len(seen)] if seen else None
+        seen, at = in_reach(world.pose, *self.places), self.looks
+        if rulebook.of(world).ALL_FEATURES:
+            at -= self.looks // WALL_EVERY
+        else:
+            seen = seen[:BEST]
+        return seen[at % len(seen)] if seen else None
 
 
 def in_reach(pose, primary, secondary) -> list[Point]:
@@ -60,4 +63,4 @@ def in_reach(pose, primary, secondary) -> list[Point]:
         return (kind, away, point) if good else None
     ranked = [rank(0, p) for p in primary] + [rank(1, p) for p in secondary]
     best = sorted(r for r in ranked if r is not None)
-    return [point for _, _, point in best[:Features.CHOICE]]
+    return [point for _, _, point in best]

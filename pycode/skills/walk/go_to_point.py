@@ -22,7 +22,8 @@ class Challenge:
     SURE_HEADING_SD = 6.0    # deg
     SURE_WEIGHT = 0.6        # weight of the best mode
     LOST_SD = 40.0           # cm
-    NEAR = 3.0               # cm from a point that count as there
+    NEAR = 3.0               # cm from a point that count as there,
+    NEAR_BEHIND = 6.0        # cm from the place behind it: beyond STEP_BACK of the point
     SETTLE = 0.8             # s that it stands before it announces the point
     ANNOUNCE_TIME = 0.8  # s
     SPEED = 32.0  # cm/s
@@ -39,8 +40,9 @@ class Challenge:
 class GoToPoint(Skill):
     NAME = 'go_to_point'
 
-    def __init__(self, point: Point, near):
+    def __init__(self, point: Point, near, first: Point | None = None):
         self.point = point   # of the field
+        self.first = first   # the place to go to before it, or None
         self.near = near     # cm that count as there
         self.watch = WatchField()
         self.turning = True
@@ -53,8 +55,11 @@ class GoToPoint(Skill):
         return command
 
     def walk_there(self, world) -> kelpie.WalkRequest:
-        x, y = from_field(world.pose, *self.point)
+        x, y = from_field(world.pose, *(self.first or self.point))
         away = math.hypot(x, y)
+        if self.first is not None and away < Challenge.NEAR_BEHIND:
+            self.first, self.turning = None, True
+            return kelpie.WalkRequest()
         # Once there, errors of the pose alone must not set it walking again.
         if away < (self.near if self.still_s is None else 2.0 * self.near):
             self.still_s = self.still_s if self.still_s is not None else world.time_s
