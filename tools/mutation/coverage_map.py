@@ -92,9 +92,13 @@ class CoverageMap:
         return set(self.lines.get(file, {}).get(str(line), ()))
 
     def tests_of(self, mutant):
-        """Names as coverage has them; empty: nobody runs it, or everybody does at import."""
+        """Names as coverage has them; empty: nobody runs it, or everybody does at import. So does a
+        line that reads a constant for a default or for another constant."""
         found = self.at(mutant.file, mutant.line)
         if mutant.name:
             for file, line in self.readers.get(mutant.name, ()):
-                found |= self.at(file, line)
+                reading = self.at(file, line)
+                if not reading:
+                    return set()
+                found |= reading
         return found

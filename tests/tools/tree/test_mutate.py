@@ -10,7 +10,8 @@ from conftest import ROOT
 
 sys.path.insert(0, str(ROOT / "tools"))
 
-from mutation.mutants import mutants_of  # noqa: E402
+from mutation.coverage_map import CoverageMap  # noqa: E402
+from mutation.mutants import Mutant, mutants_of  # noqa: E402
 
 SOURCE = '''\
 """Says 12."""
@@ -57,6 +58,16 @@ def test_every_change_is_python_and_changes_what_it_says():
 
 def test_a_change_of_a_module_level_number_knows_its_name():
     assert {m.name for m in mutants_of("a.py", SOURCE) if m.before == "2.5"} == {"FAR"}
+
+
+@pytest.mark.parametrize("readers, tests", [
+    ([("a.py", 5)], {"near"}), ([("a.py", 5), ("b.py", 7)], {"near", "far"}),
+    ([("a.py", 5), ("b.py", 1)], set()), ([], set())])
+def test_who_reads_a_constant_may_notice_it_and_as_a_module_is_loaded_everybody(readers, tests):
+    where = CoverageMap.__new__(CoverageMap)
+    where.lines = {"a.py": {"5": ["near"]}, "b.py": {"7": ["far"]}}
+    where.readers = {"FAR": readers}
+    assert where.tests_of(Mutant("a.py", 2, "number", "2.5", "0.0", 0, 3, "FAR")) == tests
 
 
 def listed(*words):
