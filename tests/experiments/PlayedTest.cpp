@@ -2,30 +2,11 @@
 // What experiments make of a match's true places: holds, shots, a ball that leaves.
 #include <gtest/gtest.h>
 
+#include "tests/experiments/MadeMatch.h"
 #include "tools/experiments/skills/Tries.h"
 
 namespace kelpie::experiments {
 namespace {
-
-// A red robot at the middle that looks up the field, and a ball that moves so from frame to frame.
-struct MadeMatch {
-  Played played;
-  Pose2 robot{{180.0, 270.0}, Angle::deg(90.0)};
-  Point2<Field> ball{180.0, 290.0};
-
-  void rolls(int frames, Point2<Field> velocity) {
-    for (int i = 0; i < frames; ++i) {
-      ball = ball + velocity * kFrameSeconds;
-      PlayedMoment moment;
-      const double seconds = kFrameSeconds * static_cast<double>(played.moments.size() + 1);
-      moment.truth.time = {static_cast<std::int64_t>(1e6 * seconds)};
-      moment.truth.robots.push_back({TeamColour::red, 1, robot, {}});
-      moment.truth.ball = ball;
-      moment.truth.ballVelocity = velocity;
-      played.moments.push_back(moment);
-    }
-  }
-};
 
 TEST(Played, ARobotIsFoundByItsTeam) {
   PlayedMoment moment;

@@ -1,41 +1,78 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The experiments that play tries of a skill, with one trial each on the kinematic body."""
+"""The experiments that play tries of a skill, with few trials each on the kinematic body. What they
+find in a match is held by tests/experiments/JudgesTest.cpp."""
 
 import json
 
 import pytest
 from conftest import complaint, kelpie
 
-# Each with keys of its figures, "/" between those of a part.
-KEYS = {
-    "bird-of-prey": ["bird_of_prey/median_s", "straight/median_s", "straight/contacts_per_try"],
-    "distributed-find": ["together/median_s", "alone/found_rate"],
-    "aim": ["sight/spread_deg", "pose/on_target_rate"],
-    "dodge": ["dodge/passed_rate", "no_dodge/shots_passed_rate"],
-    "find-ball": ["chain_over_spin", "hidden/chain_median_s", "under_chin/spin_median_s"],
-    "goalie": ["ratio_to_empty", "ratio_2004_to_empty", "own_goals", "goalie_outside_box"],
-    "grab-dribble": ["success", "violations_3s", "violations_50cm", "grab_frames"],
-    "intercept": ["intercept/reached_rate", "walk_at/median_s"],
-    "kick-choice": ["rules/goals_rate", "map/goals_rate"],
-    "ready": ["all_at_place_share", "robots_at_place_share", "median_s"],
-    "score-empty-goal": ["goals_rate", "median_s", "goals_rate_no_grab", "median_no_grab_s"],
+# What a robot that only stands gets, "/" between keys: nothing happens, and times are the limits of
+# the tries. The balls of `find-ball` are not found in its 12 s, those of `intercept` leave the
+# field. In `ready`, 5 s and 45 s long by the rules, the two goalies of eight walk home.
+STANDING = {
+    "aim": {"sight/shots_rate": 0, "sight/each": [], "pose/shots_rate": 0, "pose/each": []},
+    "bird-of-prey": {"bird_of_prey/home_rate": 0, "straight/home_rate": 0, "straight/median_s": 40,
+                     "straight/contacts_per_try": 0, "gained_median_s": 0},
+    "distributed-find": {"together/pairs": 1, "together/found_rate": 0, "together/median_s": 40,
+                         "alone/found_rate": 0, "alone/median_s": 40},
+    "dodge": {"dodge/passed_rate": 0, "dodge/shots": 0, "no_dodge/shots": 0,
+              "no_dodge/passed_rate": 0, "no_dodge/goals_rate": 0},
+    "find-ball": {"tries": 5, "chain_over_spin": 1, "chain_found_rate": 0, "spin_found_rate": 0,
+                  "hidden/chain_median_s": 12, "under_chin/spin_median_s": 12},
+    "goalie": {"empty/goals_rate": 0, "empty/median_s": 60, "goalie/goals_rate": 0,
+               "goalie_2004/goals_rate": 0, "own_goals": 0, "goalie_own_goals": 0,
+               "goalie_outside_box": 0},
+    "grab-dribble": {"success": 0, "kept_rate": 0, "violations_3s": 0, "violations_50cm": 0,
+                     "grabs": 0, "holds": 0, "seeds_to_look_at": [77]},
+    "intercept": {"intercept/reached_rate": 0, "intercept/kept_rate": 0, "intercept/median_s": 6,
+                  "walk_at/reached_rate": 0, "walk_at/kept_rate": 0, "walk_at/median_s": 6},
+    "kick-choice": {"rules/goals_rate": 0, "rules/median_s": 40, "map/goals_rate": 0,
+                    "map/mean_s": 40, "map/outs_a_try": 0, "map/own_goals": 0},
+    "ready": {"all_at_place_share": 0, "robots_at_place_share": 2 / 8, "median_s": 50},
+    "score-empty-goal": {"goals_rate": 0, "median_s": 60, "own_goals": 0, "goals_rate_no_grab": 0,
+                         "median_no_grab_s": 60},
 }
 
 
-def evaluated(name, *words):
-    result = kelpie("evaluate", name, "--fast", "--trials", "1", *words)
+def evaluated(name, *words, trials=1):
+    result = kelpie("evaluate", name, "--fast", "--trials", trials, *words)
     assert result.returncode == 0, result.stderr
     return json.loads(result.stdout)
 
 
-@pytest.mark.parametrize("name", KEYS)
-def test_a_try_of_each_way_gives_its_figures(name):
-    figures = evaluated(name, "--seed", "77")
-    for path in KEYS[name]:
-        value = figures
-        for key in path.split("/"):
-            value = value[key]
-        assert isinstance(value, (int, float)) and value >= 0
+def figure(figures, path):
+    for key in path.split("/"):
+        figures = figures[key]
+    return figures
+
+
+@pytest.fixture(name="standing", scope="module")
+def parameters_of_a_robot_that_stands(tmp_path_factory):
+    params = tmp_path_factory.mktemp("standing") / "p.toml"
+    params.write_text("[behaviour.task]\nplayer = 4\nskill = 99\n")  # ONE_SKILL, which none is
+    return params
+
+
+@pytest.mark.parametrize("name", STANDING)
+def test_a_robot_that_stands_achieves_nothing(name, standing):
+    figures = evaluated(name, "--seed", "77", "--params", standing)
+    found = {path: figure(figures, path) for path in STANDING[name]}
+    assert found == STANDING[name]
+
+
+def test_every_ball_of_intercept_leaves_the_field_before_a_robot_that_stands(standing):
+    figures = evaluated("intercept", "--seed", "5", "--params", standing, trials=8)
+    assert figures["intercept"] == figures["walk_at"] == {
+        "reached_rate": 0, "kept_rate": 0, "median_s": 6}
+
+
+def test_a_robot_that_plays_scores_at_an_empty_goal_and_the_figures_are_those_of_its_match():
+    figures = evaluated("score-empty-goal", "--seed", "77")
+    each = figures["each"][0]
+    assert (each["seed"], each["goal"], figures["goals_rate"]) == (77, 1, 1)
+    assert 5 < each["seconds_s"] == figures["median_s"] == figures["p90_s"] < 60
+    assert figures["own_goals"] == 0
 
 
 def test_the_same_seed_gives_the_same_figures_on_any_number_of_cores():

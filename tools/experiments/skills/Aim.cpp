@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "tools/experiments/skills/Judges.h"
 #include "tools/experiments/skills/Tries.h"
 
 namespace kelpie::experiments {
@@ -12,15 +13,8 @@ namespace {
 
 constexpr double kSeconds = 20.0;    // of a try
 constexpr double kBallAhead = 26.0;  // cm, the nearest place for a ball at the start
-constexpr double kAfterHold = 0.6;   // s in which a shot comes of the hold before it
 
 enum : std::size_t { kBySight, kByPose, kVariants };
-
-struct Found {
-  bool shot = false;
-  bool onTarget = false;
-  double errorDeg = 0.0;  // left of the middle of the goal positive
-};
 
 void setUp(const Try& one, cli::SessionOptions& session) {
   Random random = drawsOf(one);
@@ -31,36 +25,14 @@ void setUp(const Try& one, cli::SessionOptions& session) {
   session.seconds = kSeconds;
 }
 
-bool comesOfAHold(const Shot& shot, const std::vector<sim::Hold>& holds) {
-  for (const sim::Hold& hold : holds)
-    if (shot.time >= hold.end - kAfterHold && shot.time <= hold.end + kAfterHold) return true;
-  return false;
-}
-
-Found foundIn(const Played& played) {
-  const body::FieldDescription field;
-  const std::vector<sim::Hold> holds = holdsOf(played, TeamColour::red);
-  Found found;
-  for (const Shot& shot : shotsOf(played, TeamColour::red)) {
-    if (!comesOfAHold(shot, holds)) continue;
-    const Point2<Field> goal{field.width / 2.0, field.length};
-    const auto across = crossing(shot, field.length);
-    found.shot = true;
-    found.errorDeg = (shot.direction - headingTo(shot.from, goal)).deg();
-    found.onTarget = across && std::fabs(*across - goal.x) < field.goalWidth / 2.0;
-    break;
-  }
-  return found;
-}
-
-Json figuresOf(const Request& request, const std::vector<Found>& all) {
+Json figuresOf(const Request& request, const std::vector<Aimed>& all) {
   Json each = Json::array();
   Share shot;
   Share onTarget;
   Values errors;
   Values sizes;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Found& found = all[i];
+    const Aimed& found = all[i];
     shot.count(found.shot);
     if (!found.shot) continue;
     onTarget.count(found.onTarget);
@@ -79,14 +51,14 @@ Json figuresOf(const Request& request, const std::vector<Found>& all) {
 }
 
 Expected<Json> aim(const Request& request) {
-  std::array<std::vector<Found>, kVariants> found;
+  std::array<std::vector<Aimed>, kVariants> found;
   for (auto& all : found) all.resize(static_cast<std::size_t>(request.trials));
   Tries tries;
   tries.ways = {{"sight", {"behaviour.task.aiming=0"}}, {"pose", {"behaviour.task.aiming=1"}}};
   tries.each = request.trials;
   tries.setUp = setUp;
   tries.judge = [&](const Try& one, const cli::SessionResult&, const Played& played) {
-    found[one.way][static_cast<std::size_t>(one.trial.number)] = foundIn(played);
+    found[one.way][static_cast<std::size_t>(one.trial.number)] = aimedIn(played);
   };
   const Status played = playTries(request, tries);
   if (!played) return Error{played.error()};

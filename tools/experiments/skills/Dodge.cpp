@@ -4,21 +4,19 @@
 // that do.
 #include <array>
 
+#include "tools/experiments/skills/Judges.h"
 #include "tools/experiments/skills/Tries.h"
 
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kSeconds = 25.0;     // of a try
-constexpr double kPast = 40.0;        // cm beyond the opponent's neck base, towards the goal
-constexpr double kShotSeconds = 2.5;  // in which a shot has got past or has not
+constexpr double kSeconds = 25.0;  // of a try
 
 enum : std::size_t { kDodging, kPlain, kVariants };
 
 struct Found {
   bool scored = false;
-  bool passed = false;
-  Share shots;  // that were made before the opponent, and got past it
+  Dodged dodged;
 };
 
 const Point2<Field> kGoal{180.0, 540.0};
@@ -37,43 +35,14 @@ void setUp(const Try& one, cli::SessionOptions& session) {
   addStanding(opponent, session);
 }
 
-// How far beyond the opponent, towards the goal.
-double beyond(const PlayedMoment& moment) {
-  const Point2<Field> opponent = moment.robot(TeamColour::blue).position;
-  const Point2<Field> way = kGoal - opponent;
-  const Point2<Field> ball = moment.truth.ball - opponent;
-  return (ball.x * way.x + ball.y * way.y) / way.norm();
-}
-
-bool passesAfter(const Played& played, const Shot& shot) {
-  for (std::size_t i = shot.moment; i < played.moments.size(); ++i) {
-    const PlayedMoment& moment = played.moments[i];
-    if (moment.seconds() > shot.time + kShotSeconds) break;
-    if (beyond(moment) > kPast) return true;
-  }
-  return false;
-}
-
-Found foundIn(const cli::SessionResult& result, const Played& played) {
-  Found found;
-  found.scored = !result.goals.empty();
-  const double end = played.outAfter(0.0).value_or(kSeconds);
-  for (const PlayedMoment& moment : played.moments)
-    found.passed = found.passed || (moment.seconds() <= end && beyond(moment) > kPast);
-  for (const Shot& shot : shotsOf(played, TeamColour::red))
-    if (shot.time <= end && beyond(played.moments[shot.moment]) < -10.0)
-      found.shots.count(passesAfter(played, shot));
-  return found;
-}
-
 Json figuresOf(const std::vector<Found>& all) {
   Share scored;
   Share passed;
   Share shots;
   for (const Found& found : all) {
     scored.count(found.scored);
-    passed.count(found.passed);
-    shots.add(found.shots);
+    passed.count(found.dodged.passed);
+    shots.add(found.dodged.shots);
   }
   return Json{{"passed_rate", passed.value()},
               {"shots", shots.all},
@@ -90,7 +59,8 @@ Expected<Json> dodge(const Request& request) {
   tries.each = request.trials;
   tries.setUp = setUp;
   tries.judge = [&](const Try& one, const cli::SessionResult& result, const Played& played) {
-    found[one.way][static_cast<std::size_t>(one.trial.number)] = foundIn(result, played);
+    found[one.way][static_cast<std::size_t>(one.trial.number)] = {!result.goals.empty(),
+                                                                  dodgedIn(played, kSeconds)};
   };
   const Status played = playTries(request, tries);
   if (!played) return Error{played.error()};

@@ -6,27 +6,20 @@
 #include <array>
 #include <cmath>
 
+#include "tools/experiments/skills/Judges.h"
 #include "tools/experiments/skills/Tries.h"
 
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kThrown = 4.0;        // s: the robot has got up and gone for 2.5 s
-constexpr double kWatched = 2.5;       // s before, in which it must have seen the ball
-constexpr double kWatchedShare = 0.5;  // the head looks at landmarks too
-constexpr double kLimit = 12.0;        // s after the throw
+constexpr double kThrown = 4.0;   // s: the robot has got up and gone for 2.5 s
+constexpr double kLimit = 12.0;   // s after the throw
 constexpr double kWalked = 85.0;  // cm that it has come by then, for where a robot hides the ball
 constexpr double kBehind = 32.0;  // cm behind the middle of a robot the ball cannot be seen
 
 enum Situation : std::size_t { kLeft, kRight, kChin, kBack, kHidden, kSituations };
 constexpr std::array<const char*, kSituations> kNames = {"kicked_left", "kicked_right",
                                                          "under_chin", "behind", "hidden"};
-
-struct Found {
-  bool watched = false;  // it had the ball before; else the try does not count
-  bool lost = false;     // it did not have it at once
-  double seconds = kLimit;
-};
 
 // In the robot's frame: to its right, ahead.
 sim::Ball thrownAway(Situation situation, Random& random) {
@@ -69,36 +62,15 @@ void setUp(const Try& one, Situation situation, cli::SessionOptions& session) {
         {kThrown, thrownAway(situation, random), host::AgentHello{TeamColour::red, 1}}};
 }
 
-Found foundIn(const Played& played) {
-  Found found;
-  Share before;
-  bool last = false;
-  for (const PlayedMoment& moment : played.moments) {
-    const double since = moment.seconds() - kThrown;
-    const bool has =
-        moment.seen && isBall(moment.ball, moment.robot(TeamColour::red), moment.truth.ball);
-    if (since >= -kWatched && since < 0.0) before.count(has);
-    // The first image of which all was exposed after the throw; two in a row are no accident.
-    if (since >= 2.0 * kFrameSeconds && has && last) {
-      found.seconds = std::fmin(found.seconds, since - kFrameSeconds);
-      break;
-    }
-    last = has && since >= kFrameSeconds;
-  }
-  found.watched = before.value() >= kWatchedShare;
-  found.lost = found.seconds > 0.2;
-  return found;
-}
-
-using All = std::array<std::vector<Found>, 2 * kSituations>;
+using All = std::array<std::vector<Searched>, 2 * kSituations>;
 
 // Of one way: seconds of the tries that count, in one situation or in all.
 Values secondsOf(const All& all, std::size_t way, std::size_t first, std::size_t end) {
   Values seconds;
   for (std::size_t situation = first; situation < end; ++situation)
     for (std::size_t i = 0; i < all[situation].size(); ++i) {
-      const Found& chain = all[situation][i];
-      const Found& spin = all[kSituations + situation][i];
+      const Searched& chain = all[situation][i];
+      const Searched& spin = all[kSituations + situation][i];
       if (!chain.watched || !spin.watched || (!chain.lost && !spin.lost)) continue;
       seconds.push_back(way == 0 ? chain.seconds : spin.seconds);
     }
@@ -129,7 +101,7 @@ Expected<Json> findBall(const Request& request) {
     setUp(one, static_cast<Situation>(one.way % kSituations), session);
   };
   tries.judge = [&](const Try& one, const cli::SessionResult&, const Played& played) {
-    all[one.way][static_cast<std::size_t>(one.trial.number)] = foundIn(played);
+    all[one.way][static_cast<std::size_t>(one.trial.number)] = searchedIn(played, kThrown, kLimit);
   };
   const Status played = playTries(request, tries);
   if (!played) return Error{played.error()};

@@ -5,14 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "tools/experiments/skills/Judges.h"
 #include "tools/experiments/skills/Tries.h"
 
 namespace kelpie::experiments {
 namespace {
 
 constexpr double kLimit = 60.0;  // simulated seconds
-constexpr double kReach = 40.0;  // cm from the neck base, of a kick
-constexpr double kSlow = 10.0;   // cm/s towards the goal: up to there nobody has set the ball off
 
 // Ways by number.
 enum : std::size_t { kEmpty, k2006, k2004, kVariants };
@@ -20,43 +19,16 @@ enum : std::size_t { kEmpty, k2006, k2004, kVariants };
 struct Found {
   bool scored = false;
   double seconds = kLimit;
-  int ownGoals = 0;        // of the attacker
-  int keeperOwnGoals = 0;  // goals that the keeper set off itself
-  int keeperFrames = 0;
-  int outsideFrames = 0;  // with its neck base beyond its box
+  int ownGoals = 0;  // of the attacker
+  Kept kept;
 };
 
-bool outsideBox(const body::FieldDescription& field, Point2<Field> p) {
-  return p.y < field.length - field.boxDepth ||
-         std::fabs(p.x - field.width / 2.0) > field.boxWidth / 2.0;
-}
-
-// Whether the keeper itself set off the ball that went into its goal: when the ball last did not
-// roll there, it was the nearer one and the attacker out of reach.
-bool setOffByKeeper(const Played& played) {
-  const auto& all = played.moments;
-  for (std::size_t i = all.size(); i-- > 0;) {
-    if (all[i].truth.ballVelocity.y > kSlow) continue;
-    const auto far = [&](TeamColour team) {
-      return distance(all[i].robot(team).position, all[i].truth.ball);
-    };
-    return far(TeamColour::blue) < far(TeamColour::red) && far(TeamColour::red) > kReach;
-  }
-  return false;
-}
-
 Found foundIn(const cli::SessionResult& result, const Played& played, bool keeper) {
-  static const body::FieldDescription field;
   Found found;
   found.scored = !result.goals.empty() && result.goals[0] <= kLimit;
   if (found.scored) found.seconds = result.goals[0];
   found.ownGoals = static_cast<int>(result.ownGoals.size());
-  if (!keeper) return found;
-  if (found.scored && setOffByKeeper(played)) found.keeperOwnGoals = 1;
-  for (const PlayedMoment& moment : played.moments) {
-    ++found.keeperFrames;
-    if (outsideBox(field, moment.robot(TeamColour::blue).position)) ++found.outsideFrames;
-  }
+  if (keeper) found.kept = keptIn(played, found.scored);
   return found;
 }
 
@@ -71,12 +43,12 @@ Json figuresOf(const Request& request, const std::vector<Found>& all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Found& found = all[i];
     if (found.scored) goals.push_back(request.seed + i);
-    if (found.keeperOwnGoals > 0) keeperOwn.push_back(request.seed + i);
+    if (found.kept.setOff) keeperOwn.push_back(request.seed + i);
     scored.count(found.scored);
     seconds.push_back(found.seconds);
     ownGoals += found.ownGoals;
-    keeperOwnGoals += found.keeperOwnGoals;
-    outside.add({found.outsideFrames, found.keeperFrames});
+    keeperOwnGoals += found.kept.setOff ? 1 : 0;
+    outside.add(found.kept.outside);
   }
   return Json{{"goals_rate", scored.value()},
               {"median_s", percentile(seconds, 0.5)},

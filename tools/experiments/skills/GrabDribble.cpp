@@ -2,27 +2,15 @@
 // Grab and dribble (checklist ): a ball anywhere around a robot in the middle of the
 // field. What counts is the truth: whether the ball was held, went along or round with the robot
 // and left it again, and whether any hold broke the rules of 3 s and 50 cm.
+#include "tools/experiments/skills/Judges.h"
 #include "tools/experiments/skills/Tries.h"
 
 namespace kelpie::experiments {
 namespace {
 
 constexpr double kSeconds = 20.0;    // of a try
-constexpr double kKept = 0.4;        // s; what a robot only walks over stays shorter
-constexpr double kCarried = 10.0;    // cm
-constexpr double kTurned = 0.35;     // rad, 20 deg
 constexpr double kNearest = 50.0;    // cm, of the ball
 constexpr double kFurthest = 120.0;  // cm
-
-struct Found {
-  bool kept = false;
-  bool success = false;
-  int tooLong = 0;
-  int tooFar = 0;
-  Values holds;       // s
-  Values grabs;       // frames of each
-  Values quickGrabs;  // so, with infrared
-};
 
 void setUp(const Try& one, cli::SessionOptions& session) {
   Random random = drawsOf(one);
@@ -35,51 +23,18 @@ void setUp(const Try& one, cli::SessionOptions& session) {
   session.seconds = kSeconds;
 }
 
-// How many frames each run of that motion took. The one that the end cuts off is no whole run.
-Values runsOf(const Played& played, MotionKind kind) {
-  Values runs;
-  int frames = 0;
-  for (const PlayedMoment& moment : played.moments) {
-    if (!moment.seen) continue;
-    const bool running = moment.motion.running == kind;
-    if (!running && frames > 0) runs.push_back(frames);
-    frames = running ? frames + 1 : 0;
-  }
-  return runs;
-}
-
-Found foundIn(const Played& played) {
-  const body::Rules rules;
-  Found found;
-  found.grabs = runsOf(played, MotionKind::grab);
-  found.quickGrabs = runsOf(played, MotionKind::grabQuick);
-  const double last = played.moments.empty() ? 0.0 : played.moments.back().seconds();
-  for (const sim::Hold& hold : holdsOf(played, TeamColour::red)) {
-    found.holds.push_back(hold.seconds());
-    found.tooLong += hold.tooLong(rules) ? 1 : 0;
-    found.tooFar += hold.tooFar(rules) ? 1 : 0;
-    const bool kept = hold.seconds() >= kKept;
-    const bool carried = hold.moved >= kCarried || hold.turned >= kTurned;
-    const bool released = hold.end + sim::HoldWatch::kLost < last;
-    found.kept = found.kept || kept;
-    found.success = found.success ||
-                    (kept && carried && released && !hold.tooLong(rules) && !hold.tooFar(rules));
-  }
-  return found;
-}
-
 Expected<Json> grabDribble(const Request& request) {
   Share kept;
   Share success;
   int tooLong = 0;
   int tooFar = 0;
-  std::vector<Found> all(static_cast<std::size_t>(request.trials));
+  std::vector<Grabbed> all(static_cast<std::size_t>(request.trials));
   Tries tries;
   tries.ways = {{"grab", {}}};
   tries.each = request.trials;
   tries.setUp = setUp;
   tries.judge = [&](const Try& one, const cli::SessionResult&, const Played& played) {
-    all[static_cast<std::size_t>(one.trial.number)] = foundIn(played);
+    all[static_cast<std::size_t>(one.trial.number)] = grabbedIn(played);
   };
   const Status played = playTries(request, tries);
   if (!played) return Error{played.error()};
@@ -88,7 +43,7 @@ Expected<Json> grabDribble(const Request& request) {
   Values quickGrabs;
   Json failed = Json::array();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Found& found = all[i];
+    const Grabbed& found = all[i];
     kept.count(found.kept);
     success.count(found.success);
     tooLong += found.tooLong;

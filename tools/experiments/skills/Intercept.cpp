@@ -1,32 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // A rolling ball met where it will be, beside walking at it, by the same seeds: balls that roll
-// past in front of the robot and would leave the field over the side line beside it, at 20 to 80
-// cm/s.
+// past in front of the robot and leave the field over the side line beside it, at 20 to 80 cm/s,
+// if nobody comes.
 #include <array>
 #include <cmath>
 
+#include "tools/experiments/skills/Judges.h"
 #include "tools/experiments/skills/Tries.h"
 
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kThrown = 2.5;        // s: the robot has got up and begun to walk
-constexpr double kAfter = 6.0;         // s after the throw that a try goes on
-constexpr double kToLine = 40.0;       // cm from the robot to the side line beside it
-constexpr double kBeforeEnd = 0.9;     // of its whole way a ball has gone when it leaves
-constexpr double kReach = 15.0;        // cm ahead of the neck base
-constexpr double kReachLateral = 8.0;  // cm
-constexpr double kSlowest = 20.0;      // cm/s
+constexpr double kThrown = 2.5;   // s: the robot has got up and begun to walk
+constexpr double kAfter = 6.0;    // s after the throw that a try goes on
+constexpr double kToLine = 40.0;  // cm from the robot to the side line beside it
+constexpr double kToOut = kToLine + body::kBallRadius;  // the whole ball must be beyond it
+constexpr double kBeforeEnd = 0.9;  // of its whole way a ball has gone when it leaves
+constexpr double kSlowest = 20.0;   // cm/s
 constexpr double kFastest = 80.0;
 
 enum : std::size_t { kIntercepting, kChasing, kVariants };
-
-struct Found {
-  bool reached = false;  // before it left
-  bool kept = false;     // it did not leave at all
-  double seconds = kAfter;
-  double speed = 0.0;  // cm/s, as thrown
-};
 
 // dv/dt = -(k v + friction), to its end (sim::BallParams).
 double wayOf(double speed) {
@@ -51,7 +44,7 @@ void setUp(const Try& one, int trials, cli::SessionOptions& session) {
   const Angle slant = Angle::deg(random.uniform(0.0, 35.0));  // towards the robot
   const double ahead = random.uniform(20.0, 45.0);            // where it crosses the line
   const maths::SinCos way = slant.sinCos();
-  const Point2<Field> start{side * (kToLine - path * way.cos), ahead + path * way.sin};
+  const Point2<Field> start{side * (kToOut - path * way.cos), ahead + path * way.sin};
   session.staging.places = {placed(TeamColour::red, robot)};
   session.staging.ball = sim::Ball{fieldFromRobot(robot, {0.0, 150.0}), {}};
   session.staging.throws = {{kThrown,
@@ -61,32 +54,11 @@ void setUp(const Try& one, int trials, cli::SessionOptions& session) {
   session.goals = 0;
 }
 
-bool atBall(const PlayedMoment& moment) {
-  const Point2<Robot> ball = robotFromField(moment.robot(TeamColour::red), moment.truth.ball);
-  return ball.y > 0.0 && ball.y < kReach && std::fabs(ball.x) < kReachLateral;
-}
-
-Found foundIn(const Played& played) {
-  Found found;
-  const auto out = played.outAfter(kThrown);
-  found.kept = !out;
-  for (const PlayedMoment& moment : played.moments) {
-    if (moment.seconds() <= kThrown + kFrameSeconds) continue;
-    if (found.speed == 0.0) found.speed = moment.truth.ballVelocity.norm();
-    if (out && moment.seconds() >= *out) break;
-    if (!atBall(moment)) continue;
-    found.reached = true;
-    found.seconds = moment.seconds() - kThrown;
-    break;
-  }
-  return found;
-}
-
-Json figuresOf(const std::vector<Found>& all) {
+Json figuresOf(const std::vector<Met>& all) {
   Share reached;
   Share kept;
   Values seconds;
-  for (const Found& found : all) {
+  for (const Met& found : all) {
     reached.count(found.reached);
     kept.count(found.kept);
     seconds.push_back(found.seconds);
@@ -97,7 +69,7 @@ Json figuresOf(const std::vector<Found>& all) {
 }
 
 Expected<Json> intercept(const Request& request) {
-  std::array<std::vector<Found>, kVariants> found;
+  std::array<std::vector<Met>, kVariants> found;
   for (auto& all : found) all.resize(static_cast<std::size_t>(request.trials));
   Tries tries;
   tries.ways = {{"intercept", {"behaviour.task.intercept=true"}},
@@ -107,7 +79,7 @@ Expected<Json> intercept(const Request& request) {
     setUp(one, request.trials, session);
   };
   tries.judge = [&](const Try& one, const cli::SessionResult&, const Played& played) {
-    found[one.way][static_cast<std::size_t>(one.trial.number)] = foundIn(played);
+    found[one.way][static_cast<std::size_t>(one.trial.number)] = metIn(played, kThrown, kAfter);
   };
   const Status played = playTries(request, tries);
   if (!played) return Error{played.error()};
