@@ -53,6 +53,25 @@ TEST(CameraPicture, GoesThereAndBackWithinARounding) {
   EXPECT_LT(meanDifference(image.cb, again.cb), 1.0);
 }
 
+TEST(IndexedPng, GivesBackTheColourOfEachNumber) {
+  const TestFile file(".png");
+  const std::vector<cv::Vec3b> palette = {{1, 2, 3}, {200, 100, 0}, {255, 255, 255}};
+  cv::Mat numbers(2, 3, CV_8UC1);
+  for (int i = 0; i < 6; ++i)
+    numbers.at<std::uint8_t>(i / 3, i % 3) = static_cast<std::uint8_t>(i / 2);
+  ASSERT_TRUE(writeIndexedPng(file.path, numbers, palette));
+  const auto again = readPng(file.path);
+  ASSERT_TRUE(again) << again.error();
+  ASSERT_EQ(again->size(), numbers.size());
+  for (int i = 0; i < 6; ++i)
+    EXPECT_EQ(again->at<cv::Vec3b>(i / 3, i % 3), palette[static_cast<std::size_t>(i / 2)]);
+}
+
+TEST(IndexedPng, RefusesAPictureThatIsNoTableOfNumbers) {
+  const TestFile file(".png");
+  EXPECT_FALSE(writeIndexedPng(file.path, cv::Mat(2, 2, CV_8UC3), {{0, 0, 0}}));
+}
+
 TEST(Jpeg, IsSmallAndLooksTheSame) {
   Random random(5);
   const Image image = shapes(random);

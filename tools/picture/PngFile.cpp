@@ -91,12 +91,18 @@ Status writePng(const std::string& path, const cv::Mat& picture) {
 
 Status writeSmallPng(const std::string& path, const cv::Mat& picture) {
   const std::vector<cv::Vec3b> colours = coloursOf(picture);
-  const cv::Mat numbers = numbered(picture, colours);
-  png_image png = header(picture.size());
+  return writeIndexedPng(path, numbered(picture, colours), colours);
+}
+
+Status writeIndexedPng(const std::string& path, const cv::Mat& numbers,
+                       const std::vector<cv::Vec3b>& palette) {
+  const cv::Mat rows = numbers.isContinuous() ? numbers : numbers.clone();
+  png_image png = header(rows.size());
   png.format = PNG_FORMAT_BGR_COLORMAP;
-  png.colormap_entries = static_cast<png_uint_32>(colours.size());
+  png.colormap_entries = static_cast<png_uint_32>(palette.size());
   const std::string part = path + ".part";
-  if (png_image_write_to_file(&png, part.c_str(), 0, numbers.data, 0, colours.data()) != 0 &&
+  if (rows.type() == CV_8UC1 &&
+      png_image_write_to_file(&png, part.c_str(), 0, rows.data, 0, palette.data()) != 0 &&
       std::rename(part.c_str(), path.c_str()) == 0)
     return Done{};
   std::remove(part.c_str());
