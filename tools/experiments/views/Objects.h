@@ -20,6 +20,9 @@ struct TrueObject {
   Angle heading;
   bool inView = false;  // some of it may be in the image: a percept of it is not false
   bool toSee = false;   // enough of it shows that it should be recognised
+  int pixels = 0;       // of it that show; 0 where it is not in view
+  int pixelsAlone = 0;  // the same as if nothing stood before it
+  bool cut = false;     // it reaches the border of the usable image
 };
 
 std::vector<TrueObject> trueObjects(const View& view, const body::FieldDescription& field,

@@ -34,6 +34,17 @@ TrueObject placed(const View& view, ObjectKind kind, Point2<Field> p) {
   return object;
 }
 
+bool isCut(const PixelBox& box) {
+  return box.left <= vision::kUsableLeft || box.right >= vision::kUsableRight ||
+         box.top <= vision::kUsableTop || box.bottom >= vision::kUsableBottom;
+}
+
+void keepShown(TrueObject& object, const Shown& shown, int alone) {
+  object.pixels = shown.pixels;
+  object.pixelsAlone = alone;
+  object.cut = shown.pixels > 0 && isCut(shown.box);
+}
+
 // Pixels that a centimetre fills at a place.
 double scaleAt(const View& view, Point2<Field> p) {
   const double range = maths::hypot(p.x - view.eye.position.x, p.y - view.eye.position.y);
@@ -52,7 +63,8 @@ TrueObject ballOf(const View& view, Visibility& visibility) {
   if (!object.inView) return object;
   const double r = body::kBallRadius;
   const double area = areaPx(view, view.ball, r * maths::kPi, r);
-  object.toSee = visibility.ball(view).pixels >= kBallShare * area;
+  keepShown(object, visibility.ball(view), visibility.ballAlone(view).pixels);
+  object.toSee = object.pixels >= kBallShare * area;
   return object;
 }
 
@@ -66,7 +78,8 @@ TrueObject beaconOf(const View& view, const body::FieldDescription& field,
   if (!object.inView) return object;
   const double area =
       areaPx(view, mark.position, 2.0 * field.beaconRadius, 0.5 * field.beaconHeight);
-  object.toSee = visibility.beacon(view, index).pixels >= kBeaconShare * area;
+  keepShown(object, visibility.beacon(view, index), visibility.beaconAlone(view, index).pixels);
+  object.toSee = object.pixels >= kBeaconShare * area;
   return object;
 }
 
@@ -91,14 +104,16 @@ TrueObject goalOf(const View& view, const body::FieldDescription& field, const b
   const double outwards = mark.position.y > field.length / 2 ? 1.0 : -1.0;
   const Point2<Field> way = mark.position - view.pose.position;
   const double obliquity = maths::atan2(std::fabs(way.x), outwards * way.y);
-  const int shown = visibility.goal(view, index).pixels;
-  object.inView = shown > 0;
+  const Shown shown = visibility.goal(view, index);
+  object.inView = shown.pixels > 0;
+  if (!object.inView) return object;
+  const int alone = visibility.goalAlone(view, index).pixels;
+  keepShown(object, shown, alone);
   const double whole =
       areaPx(view, mark.position, field.goalWidth * Angle::rad(obliquity).cos(), field.goalHeight);
   object.toSee = Angle::rad(obliquity).deg() <= kFlattestView &&
                  mouthInside(view, field, mark.position) >= kMouthInside &&
-                 shown >= kGoalShare * whole &&
-                 shown >= kGoalShare * visibility.goalAlone(view, index).pixels;
+                 object.pixels >= kGoalShare * whole && object.pixels >= kGoalShare * alone;
   return object;
 }
 
@@ -110,11 +125,9 @@ TrueObject robotOf(const View& view, std::size_t index, Visibility& visibility) 
   object.inView = inUsable(pixelOf(view, middle, 8.0), 2.0 * kMarginPx);
   if (!object.inView) return object;
   const Shown alone = visibility.robotAlone(view, index);
-  const bool cut = alone.box.left <= vision::kUsableLeft ||
-                   alone.box.right >= vision::kUsableRight || alone.box.top <= vision::kUsableTop ||
-                   alone.box.bottom >= vision::kUsableBottom;
-  object.toSee = alone.pixels > 20 && !cut &&
-                 visibility.robot(view, index).pixels >= kRobotShare * alone.pixels;
+  keepShown(object, visibility.robot(view, index), alone.pixels);
+  object.toSee =
+      alone.pixels > 20 && !isCut(alone.box) && object.pixels >= kRobotShare * alone.pixels;
   return object;
 }
 

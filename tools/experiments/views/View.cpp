@@ -81,7 +81,7 @@ void ViewMaker::claimTilt() {
   if (sd > 0.0) claimed_.tiltVariance = claimed_.rollVariance = maths::square(Angle::deg(sd).rad());
 }
 
-// The robot anywhere on the field, the ball 20 to 360 cm from it inside the lines.
+// The robot anywhere on the field, the ball before it and inside the lines.
 void ViewMaker::placeThings() {
   const auto& field = params_.field;
   view_.pose = {
@@ -89,7 +89,8 @@ void ViewMaker::placeThings() {
       randomDeg(random_, -180.0, 180.0)};
   stance_ = {random_.uniform(8.5, 11.0), randomDeg(random_, 8.0, 16.0), {}};
   for (int i = 0; i < kTries; ++i) {
-    const auto place = robotPolar(random_.uniform(20.0, 360.0), randomDeg(random_, -85.0, 85.0));
+    const auto place = robotPolar(random_.uniform(params_.nearestBall, params_.farthestBall),
+                                  randomDeg(random_, -85.0, 85.0));
     view_.ball = fieldFromRobot(view_.pose, place);
     if (view_.ball.x > 0.0 && view_.ball.x < field.width && view_.ball.y > 0.0 &&
         view_.ball.y < field.length)

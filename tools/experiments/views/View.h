@@ -34,6 +34,8 @@ struct ViewParams {
   TiltClaim tilt;
   bool crowd = true;
   bool ball = true;
+  double nearestBall = 20.0;  // cm, of those drawn before the robot
+  double farthestBall = 360.0;
   int maxRobots = 4;
   double headTurning = 0.5;  // share of views in which the head turns
   double bodyTurning = 0.3;

@@ -67,6 +67,26 @@ Shown Visibility::goal(const View& view, std::size_t index) {
   return shown(scene, view);
 }
 
+Shown Visibility::uniform(const View& view, std::size_t index) {
+  sim::Scene scene = view.scene;
+  for (auto& quad : scene.robots[index].quads)
+    if (quad.depthBias > 0.0) quad.colour = kUnique;
+  return shown(scene, view);
+}
+
+Shown Visibility::ballAlone(const View& view) {
+  sim::Scene scene = withoutMoving(view.scene);
+  scene.balls = view.scene.balls;
+  for (auto& ball : scene.balls) ball.colour = kUnique;
+  return shown(scene, view);
+}
+
+Shown Visibility::beaconAlone(const View& view, std::size_t index) {
+  sim::Scene scene = withoutMoving(view.scene);
+  scene.beacons[index].band[2] = scene.beacons[index].band[3] = kUnique;
+  return shown(scene, view);
+}
+
 Shown Visibility::goalAlone(const View& view, std::size_t index) {
   sim::Scene scene = withoutMoving(view.scene);
   mark(scene.fixtures[index]);

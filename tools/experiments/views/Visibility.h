@@ -25,7 +25,10 @@ class Visibility {
   Shown beacon(const View& view, std::size_t index);  // its coloured bands
   Shown goal(const View& view, std::size_t index);
   Shown robot(const View& view, std::size_t index);
+  Shown uniform(const View& view, std::size_t index);  // of a robot, the coloured patches
   // The same as if nothing stood before it.
+  Shown ballAlone(const View& view);
+  Shown beaconAlone(const View& view, std::size_t index);
   Shown goalAlone(const View& view, std::size_t index);
   Shown robotAlone(const View& view, std::size_t index);
 
