@@ -28,6 +28,7 @@ class Kelpie:
     DEFENDER_SEES_WAY = False  # the time home counts obstacles and being stuck
     ON_STRING = True           # a place moves when its ball has moved some way
     LEAVES_WAYS = True         # a home in the attacker's way is moved
+    RECEIVES = True            # who is to get a pass waits for it
     FEELS_HELD = True          # who is held backs off as from paws; nobody backs time and again
     ATTACKER_BACKS = True      # so does an attacker
     # The goalies (thesis 2006 section 4.3.1, thesis 2004 section 4.2)
@@ -84,6 +85,7 @@ class Thesis(Kelpie):
     DEFENDER_SEES_WAY = True
     ON_STRING = False
     LEAVES_WAYS = False
+    RECEIVES = False
     FEELS_HELD = False
     ATTACKER_BACKS = False
     WATCHES_POSE = False

@@ -54,9 +54,9 @@ class SupporterSituation:
 
 def mate_passes(now, playing):
     """Who is to get the ball waits for it: it is in the way on purpose."""
-    player = now.world.game.player
+    player, receives = now.world.game.player, rulebook.of(now.world).RECEIVES
     passes = any(mate.note.pass_to == player for mate in now.world.teammates)
-    return ('a mate plays the ball to it',) if passes else None
+    return ('a mate plays the ball to it',) if receives and passes else None
 
 
 def mate_holds(now, playing):

@@ -6,7 +6,7 @@ import math
 import kelpie
 import pytest
 from books import both, by
-from goalie_world import GoalieWorld, reported, run, scene
+from goalie_world import GoalieWorld, guards, place_of, reported, run, scene
 from lib import goalie_places as places
 from players.ellipse_goalie import EllipseGoalie
 from players.goalie import Goalie
@@ -202,17 +202,28 @@ def test_a_ball_that_mates_see_is_not_guarded_against(book, answer):
     assert player.now.reported == answer
 
 
-@both('', [((180.0, 20.0), None)])
-def test_a_ball_lost_close_by_is_waited_for_in_the_middle(book, answer):
-    """The head looks for it; neither legs nor turns do."""
+@both('', [(True, False)])
+def test_it_walks_to_its_place_whatever_it_pushes(book, answer):
+    """The ball lies between it and the goal: Kelpie's goes round it."""
+    scenery, player = scene(180 + 36j, at=180 + 50j), Goalie()
+    player.now.moved_s = -10.0
+    walk = guards(player, by(scenery.world, book))
+    assert (walk.forward < -10.0 and abs(walk.left) < 1.0) is answer
+
+
+@both('seconds', [(0.5, 20.0, None), (3.0, 20.0, None), (8.0, 20.0, 10.0)])
+def test_a_ball_lost_close_by_is_waited_for_at_y_20(seconds, book, answer):
+    """Kelpie's stands and looks about at first, and goes to its line in the end."""
     scenery, player = scene(180 + 45j), Goalie()
     scenery.world.time_s = 100.0
-    player.step(by(scenery.world, book))
-    scenery.world.ball.seconds_since_seen, scenery.world.percepts.ball.present = 3.0, False
-    scenery.world.time_s += 1.0
-    walk = player.step(scenery.world).walk
-    assert player.state == player.guard
-    assert answer is None or walk.turn_deg == 0.0
+    player.now.moved_s = 0.0
+    player.now.update(by(scenery.world, book))
+    player.eyes.tracked = 30.0
+    scenery.world.ball.seconds_since_seen, scenery.world.percepts.ball.present = seconds, False
+    player.eyes.enter(scenery.world, player.eyes.search, player.eyes.scan(scenery.world))
+    scenery.world.time_s += min(seconds, 3.0)
+    place = place_of(player, scenery.world)
+    assert (place and place[1]) == (pytest.approx(answer) if answer else None)
 
 
 def test_a_lost_ball_is_scanned_for_at_four_beacons_and_one_low_point():

@@ -147,6 +147,23 @@ def test_the_order_of_algorithm_4_4_is_the_same_in_both_books(at, state):
         assert doing(made) == state
 
 
+@both('', [('avoid_ball', 'receive')])
+def test_nobody_waits_in_the_way_for_a_pass(book, answer):
+    made = by(world(130.0, 300.0, 90.0, (100.0, 200.0)), book)
+    made.teammates = [mate(2, A, 2.0, at=(100.0, 175.0))]
+    made.teammates[0].note.pass_to = made.game.player = 3
+    assert doing(made) == answer
+
+
+@pytest.mark.parametrize('role', [S, D])
+def test_places_by_examples_stay_a_choice_of_the_thesis(role):
+    """Section 4.5.3."""
+    made = by(world(ball=(90.0, 400.0)), 'thesis')
+    trees = Home().update(made, role, (90.0, 400.0), [])
+    made.task.positions = kelpie.POSITIONS_BY_REGRESSION
+    assert Home().update(made, role, (90.0, 400.0), []) != trees
+
+
 def test_bird_of_prey_is_the_theses_own_whatever_the_switch():
     made = by(world(180.0, 400.0, -90.0, (30.0, 500.0)), 'thesis')
     made.task.bird_of_prey = False
