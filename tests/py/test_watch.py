@@ -146,9 +146,10 @@ def test_features_are_in_reach_from_15_to_200_cm_and_80_deg_to_either_side(ahead
     assert in_reach(HERE, [place], []) == in_reach(HERE, [], [place]) == ([place] if good else [])
 
 
-def test_three_features_at_most_the_corners_first_and_the_nearest_of_each():
+def test_features_come_by_kind_the_corners_first_and_the_nearest_of_each():
     corners, middles = [(100.0, 250.0), (100.0, 200.0)], [(100.0, 150.0), (100.0, 140.0)]
-    assert in_reach(HERE, corners, middles) == [(100.0, 200.0), (100.0, 250.0), (100.0, 140.0)]
+    assert in_reach(HERE, corners, middles) == [(100.0, 200.0), (100.0, 250.0), (100.0, 140.0),
+                                                (100.0, 150.0)]
 
 
 # Who waits

@@ -274,6 +274,7 @@ def test_a_ball_unseen_for_4_s_is_guarded_against_from_the_middle(unseen, middle
 def test_the_first_version_runs_at_the_ball_with_a_paw_and_needs_no_stand(paw):
     made = scene(180 + 300j).world
     goalie = EllipseGoalie(paw)
+    goalie.world = made
     assert goalie.can_attack(made, False) is paw
     assert type(goalie.skill_of('attack', goalie)).__name__ == ('PawKick' if paw else 'AttackBall')
     assert goalie.skill_of('guard', goalie).laziness.lazy == 15.0
