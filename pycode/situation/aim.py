@@ -4,6 +4,7 @@
 # pose has it, by the theses' rules in the own half alone. Keeps the locked side, the gap's
 # headings, since when it was not seen, and how many frames were aimed. By the pose alone it is as
 # wrong as the pose.
+import kelpie
 from lib import rulebook
 from lib.geom import from_field, heading, wrap
 from situation.goal import sure
@@ -82,6 +83,14 @@ class Aim:
             self.gap, self.by_sight = mouth_by_pose(world), False
         if self.points_into_gap:
             self.aimed_frames += 1
+
+    def explain(self, trace) -> None:
+        """Appends what it aims at to a list for Command.trace."""
+        branch = 'by_sight' if self.by_sight else 'by_pose'
+        trace.append((kelpie.LAYER_SKILL, 'aim', 'search', 'no goal in sight, and no sure pose')
+                     if self.gap is None else
+                     (kelpie.LAYER_SKILL, 'aim', branch, 'gap from {} to {} deg, {} frames aimed',
+                      *self.gap, self.aimed_frames))
 
     def _lock(self, left, right):
         if self.side is None:

@@ -188,8 +188,7 @@ class GrabDribble(Machine):
     def turn(self, world):
         """To the gap or the goal; without either, round until it comes into view."""
         if self.over_turns(world):
-            self.over_turned += 1
-            return carry(turn=math.copysign(SEARCH_TURN, self.turn_side))
+            return self.enter(world, self.over_turn, self.skill, 'no goal where the pose has it')
         choice = self.choose(world, self, False)
         if choice is not None:
             return self.enter(world, self.steady, None, choice[1], *choice[2:])
@@ -230,6 +229,13 @@ class GrabDribble(Machine):
             return self.enter(world, self.turn, None, 'the goal is in sight')
         self.searched += 1
         return carry(turn=search_speed(world) * self.search_side)
+
+    def over_turn(self, world):
+        if not self.over_turns(world):
+            return self.enter(world, self.turn, self.skill, 'turned on for {} frames',
+                              self.over_turned)
+        self.over_turned += 1
+        return carry(turn=math.copysign(SEARCH_TURN, self.turn_side))
 
     def over_turns(self, world) -> bool:
         """Far from the goal, which is not where the pose says (section 6.4.3): some frames more."""
@@ -334,6 +340,11 @@ class GrabDribble(Machine):
 
     def ended(self, world):
         return kelpie.Command()
+
+    def explain(self, trace) -> None:
+        super().explain(trace)
+        if self.state == self.turn:
+            self.aim.explain(trace)
 
     # What states ask
 

@@ -41,6 +41,10 @@ class WatchField(Skill):
             return view(side * Features.WALL_PAN, Look.DOWN[0], world.stance)
         return look_at(*from_field(world.pose, *self.target), 0.0, world.stance)
 
+    def explain(self, trace) -> None:
+        trace.append((self.LAYER, self.NAME, 'wall', 'look {}', self.looks) if self.target is None
+                     else (self.LAYER, self.NAME, 'feature', 'at ({}, {})', *self.target))
+
     def next_target(self, world) -> Point | None:
         if self.looks % WALL_EVERY == 0:
             return None

@@ -78,4 +78,7 @@ class GoToPoint(Skill):
 
     def explain(self, trace) -> None:
         branch = 'stand' if self.still_s is not None else 'turn' if self.turning else 'walk'
+        if self.first is not None:
+            branch = 'go_behind'
         trace.append((kelpie.LAYER_SKILL, self.NAME, branch, 'the point is ({}, {})', *self.point))
+        self.watch.explain(trace)
