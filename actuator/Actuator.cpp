@@ -126,10 +126,14 @@ void endMotion(bool legsMoved, const ActuatorParams& params, ActuatorState& stat
   state.motion.answered = true;
 }
 
-void moveOn(const ActuatorParams& params, ActuatorState& state) {
+void moveOn(MotionKind asked, const ActuatorParams& params, ActuatorState& state) {
   const bool legsMoved = !walksOn(params, state);
   if (legsMoved) stopWalk(state.walk);
-  if (!advance(params.motions, state.target, state.motion)) endMotion(legsMoved, params, state);
+  bool goesOn = true;
+  const int ticks = hurried(params.motions, asked, state.motion) ? 2 : 1;
+  for (int i = 0; i < ticks && goesOn; ++i)
+    goesOn = advance(params.motions, state.target, state.motion);
+  if (!goesOn) endMotion(legsMoved, params, state);
 }
 
 // What is commanded of joints that stay as they were found: no walk, no odometry.
@@ -161,7 +165,7 @@ void tick(const Asked& asked, const ActuatorParams& params, ActuatorState& state
   now.commanded = movedBy(before, state.target);
   record(now, state.odometry);
   state.legGain = std::fmax(state.legGain, legGain(params.motions, state.motion));
-  if (running(state.motion)) moveOn(params, state);
+  if (running(state.motion)) moveOn(asked.command.motion, params, state);
 }
 
 // Up for a while at most, then down until it was asked down.
@@ -196,14 +200,15 @@ Stance stanceAt(std::size_t tick, const Stance& legs, const ActuatorParams& para
   return oscillating(legs, shown(tick, params.odometry, state.odometry).stride, state.walk.set);
 }
 
-MotionStatus status(const ActuatorParams& params, const ActuatorState& state) {
+MotionStatus status(MotionKind asked, const ActuatorParams& params, const ActuatorState& state) {
   MotionStatus now;
   now.ready = state.ready;
   now.lying = state.lies && !state.approach.active;
   now.running = state.motion.kind;
   if (running(state.motion)) {
     const std::uint32_t all = ticksOf(params.motions[state.motion.kind]);
-    now.secondsLeft = kTickSeconds * (all - state.motion.tick);
+    const double pace = hurried(params.motions, asked, state.motion) ? 2.0 : 1.0;
+    now.secondsLeft = kTickSeconds * (all - state.motion.tick) / pace;
   }
   now.effort = effort(state.effort, state.walk.set.gait);
   now.lowGain = lowGain(state);
@@ -242,7 +247,7 @@ MotionOutput step(const MotionInput& in, const ActuatorParams& params, ActuatorS
   out.odometry = odometry(in, poses, params.odometry, state.odometry);
   for (std::size_t i = 0; i < kTicksPerMessage; ++i)
     out.stances[i] = stanceAt(i, poses[i].stance, params, state);
-  out.status = status(params, state);
+  out.status = status(in.command.motion, params, state);
   out.status.legGain = gain;
   out.status.feeling = feeling;
   out.status.feeling.ballHeld = held;

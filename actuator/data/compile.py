@@ -14,10 +14,10 @@ import registry
 
 MOUTH_SHUT = -3
 LEGS = ["left_front", "left_hind", "right_front", "right_hind"]
-MOTION_KEYS = {"about", "motion", "learn", "slew", "at_once", "return_ticks", "way", "kick",
-               "frame"}
-FRAME_KEYS = {"ticks", "interpolate", "gain", "head", "mouth", "legs", "walk", "forward", "left",
-              "turn", "front", "hind", *LEGS}
+MOTION_KEYS = {"about", "motion", "learn", "slew", "at_once", "return_ticks", "hurried_by", "way",
+               "kick", "frame"}
+FRAME_KEYS = {"ticks", "interpolate", "gain", "head", "asks_pan", "mouth", "legs", "walk",
+              "forward", "left", "turn", "front", "hind", *LEGS}
 
 
 class Wrong(Exception):
@@ -97,6 +97,7 @@ def key_frame(frame):
     yield f"key.gain = {gain(frame.get('gain', 1))};"
     if "head" in frame:
         yield f"key.movesHead = true; key.head = {{{array_of(frame['head'], 3, 'head')}}};"
+    yield f"key.asksPan = {str(frame.get('asks_pan', False)).lower()};"
     yield f"key.mouth = {degrees(frame.get('mouth', MOUTH_SHUT))};"
     if "mouth" in frame:
         yield "key.movesMouth = true;"
@@ -104,12 +105,21 @@ def key_frame(frame):
     yield "motion.frames.push_back(key); }"
 
 
-def motion(name, table):
+def hurrying(table, names):
+    """The motion that, asked for, makes this one go twice as fast."""
+    name = table.get("hurried_by", "none")
+    if name not in names:
+        raise Wrong(f"hurried_by: there is no motion {name}")
+    return f"motion.hurriedBy = MotionKind::{registry.camel(name)};"
+
+
+def motion(name, table, names):
     check_keys(table, MOTION_KEYS)
     yield f"void {name}(MotionData& motion) {{"
     yield f"motion.slew = {degrees(table.get('slew', 20))};"
     yield f"motion.atOnce = {str(table.get('at_once', False)).lower()};"
     yield f"motion.returnTicks = {int(table.get('return_ticks', 30))};"
+    yield hurrying(table, names)
     way = table.get("way", {})
     check_keys(way, {"forward", "left", "turn", "forward_sd", "left_sd", "turn_sd"})
     for axis in ("forward", "left"):
@@ -176,7 +186,7 @@ def program(walks, folder):
     found = listed[1:]
     for name in found:
         try:
-            yield from motion(name, read_motion(folder / f"{name}.toml"))
+            yield from motion(name, read_motion(folder / f"{name}.toml"), listed)
         except (Wrong, KeyError) as wrong:
             raise SystemExit(f"{folder / name}.toml: {wrong}")
     yield "Motions motions() { Motions all;"

@@ -25,6 +25,7 @@ struct KeyFrame {
                                 // player of 2005 did (facts-2005 section 6.5)
   bool movesHead = false;       // else the head obeys the Command
   std::array<Angle, 3> head{};  // neck tilt, pan, nod
+  bool asksPan = false;         // but the pan obeys the Command all the same
   bool movesMouth = false;      // else so
   Angle mouth;
   KeyLegs legs = KeyLegs::stay;
@@ -37,7 +38,8 @@ struct KeyFrame {
     using P = KeyFrame;
     return fieldList(field("ticks", &P::ticks, "", 1, 500), field("interpolate", &P::interpolate),
                      field("movesHead", &P::movesHead), field("head", &P::head, "rad", -88, 88),
-                     field("movesMouth", &P::movesMouth), field("mouth", &P::mouth, "rad", -55, -3),
+                     field("asksPan", &P::asksPan), field("movesMouth", &P::movesMouth),
+                     field("mouth", &P::mouth, "rad", -55, -3),
                      field("legs", &P::legs, "", 0, kKeyLegsCount - 1),
                      field("gain", &P::gain, "", 0.2, 1),
                      field("angles", &P::angles, "rad", -130, 130), field("walk", &P::walk));
@@ -90,6 +92,9 @@ struct MotionData {
   Angle slew = Angle::deg(20.0);   // a tick at most, head and legs
   bool atOnce = false;             // starts in the middle of a step too
   std::uint32_t returnTicks = 30;  // from its last pose back to the walk
+  // While the Command asks for this one it goes twice as fast, from where it is. Only for motions
+  // whose legs walk: nothing is known of the way of others.
+  MotionKind hurriedBy = MotionKind::none;
   MotionWay way;
   KickEffect kick;
 
@@ -98,6 +103,7 @@ struct MotionData {
     using P = MotionData;
     return fieldList(field("frames", &P::frames), field("slew", &P::slew, "rad", 0.5, 40),
                      field("atOnce", &P::atOnce), field("returnTicks", &P::returnTicks, "", 0, 500),
+                     field("hurriedBy", &P::hurriedBy, "", 0, kMotionKindCount - 1),
                      field("way", &P::way), field("kick", &P::kick));
   }
 };

@@ -9,6 +9,7 @@ bool isLeg(std::size_t joint) {
 }
 
 bool moves(const KeyFrame& key, std::size_t joint) {
+  if (joint == index(Joint::headPan) && key.asksPan) return false;
   if (joint < 3) return key.movesHead;
   if (joint == index(Joint::mouth)) return key.movesMouth;
   return isLeg(joint) && (key.legs == KeyLegs::angles || key.legs == KeyLegs::stay);
@@ -35,6 +36,10 @@ void begin(MotionKind kind, const JointAngles& now, MotionState& state) {
 
 const KeyFrame& keyFrame(const Motions& motions, const MotionState& state) {
   return motions[state.kind].frames[state.frame];
+}
+
+bool hurried(const Motions& motions, MotionKind asked, const MotionState& state) {
+  return running(state) && asked != MotionKind::none && motions[state.kind].hurriedBy == asked;
 }
 
 double legGain(const Motions& motions, const MotionState& state) {

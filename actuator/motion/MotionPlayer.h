@@ -24,6 +24,9 @@ void begin(MotionKind kind, const JointAngles& now, MotionState& state);
 const KeyFrame& keyFrame(const Motions& motions, const MotionState& state);
 JointAngles played(const Motions& motions, const JointAngles& asked, const MotionState& state);
 
+// Whether it goes twice as fast, because of the motion that the Command asks for.
+bool hurried(const Motions& motions, MotionKind asked, const MotionState& state);
+
 // Share of the legs' standard gain that it wants: 1 between motions.
 double legGain(const Motions& motions, const MotionState& state);
 

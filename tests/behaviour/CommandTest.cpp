@@ -57,7 +57,7 @@ TEST(CommandReader, EverythingIsClampedToTheFieldLists) {
   EXPECT_NEAR(command.head.neckTilt.deg(), 0.0, 1e-12);
   EXPECT_NEAR(command.head.headPan.deg(), -88.0, 1e-12);
   EXPECT_NEAR(command.head.headNod.deg(), 45.0, 1e-12);
-  EXPECT_EQ(command.motion, MotionKind::cheer);
+  EXPECT_EQ(command.motion, MotionKind::grabLift);
   EXPECT_EQ(command.leds, 0u);
 }
 

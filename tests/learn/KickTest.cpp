@@ -97,9 +97,18 @@ TEST(Grab, OfABallAtRestAheadHoldsIt) {
   const actuator::ActuatorParams params;
   Random random(4);
   PhysicalWalker walker(variedModels(4, 1, kStep).front(), params, 4);
-  EXPECT_EQ(grab({{10.0, 60.0}, 0.0, {}, 1.0, false}, random, walker), GrabEnd::held);
+  EXPECT_EQ(grab({{10.0, 60.0}, 0.0, {}, 1.0, MotionKind::grab}, random, walker), GrabEnd::held);
   walkWithBall(15.0, 30.0, walker);
   EXPECT_TRUE(holdsBall(walker));
+}
+
+// Thesis 2006 section 6.3.5.
+TEST(Grab, ThatBeginsWithTheHeadLiftedHoldsItToo) {
+  const actuator::ActuatorParams params;
+  Random random(4);
+  PhysicalWalker walker(variedModels(4, 1, kStep).front(), params, 4);
+  EXPECT_EQ(grab({{10.0, 60.0}, 0.0, {}, 1.0, MotionKind::grabLift}, random, walker),
+            GrabEnd::held);
 }
 
 }  // namespace

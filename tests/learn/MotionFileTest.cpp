@@ -109,6 +109,8 @@ TEST(MotionFile, WhatIsWrongIsReportedByLineOrName) {
   EXPECT_NE(complaint("way = 3\n" + kFrame).find(":1: way: is no table"), std::string::npos);
   EXPECT_NE(complaint("kick = \"far\"\n" + kFrame).find("kick: is no table"), std::string::npos);
   EXPECT_NE(complaint("about = 3\n" + kFrame).find("about: is a text"), std::string::npos);
+  EXPECT_NE(complaint("hurried_by = \"wind\"\n" + kFrame).find("hurried_by: there is no such one"),
+            std::string::npos);
   EXPECT_NE(complaint("mirror = \"nothing\"\n").find("is no motion"), std::string::npos);
   EXPECT_NE(complaint("mirror = \"nothing\"\nslew = 5\n").find(":2: slew: is not beside mirror"),
             std::string::npos);

@@ -15,7 +15,8 @@ FRAME_S = 1.0 / 30.0
 HALF_WIDTH, HALF_HEIGHT = 28.0, 22.5  # of the image, degrees
 HELD_AHEAD = 8.0                      # cm from the neck base to a held ball
 # Each motion's seconds; what it does not do ends it at once.
-LASTS = {kelpie.GRAB: 0.4, kelpie.GRAB_QUICK: 0.2, kelpie.RELEASE: 0.5, kelpie.KICK_FORWARD: 1.0,
+GRABS = {kelpie.GRAB: 0.4, kelpie.GRAB_LIFT: 0.4, kelpie.GRAB_QUICK: 0.2}
+LASTS = {**GRABS, kelpie.RELEASE: 0.5, kelpie.KICK_FORWARD: 1.0,
          kelpie.HARD_FORWARD: 0.5, kelpie.WEDGE: 0.5, kelpie.HEAD_SWIPE_LEFT: 0.4,
          kelpie.HEAD_SWIPE_RIGHT: 0.4, kelpie.UPENN_LEFT: 0.5, kelpie.UPENN_RIGHT: 0.5,
          kelpie.GET_UP_FRONT: 1.5, kelpie.GET_UP_BACK: 1.5, kelpie.GET_UP_LEFT: 1.5,
@@ -125,7 +126,8 @@ class IdealWorld:
         odometry, status = self.world.odometry, self.world.motion
         odometry.forward = odometry.left = odometry.turn_deg = 0.0
         if self.left_s > 0.0:
-            self.left_s -= FRAME_S
+            hurried = status.running in GRABS and motion == kelpie.GRAB_QUICK != status.running
+            self.left_s -= 2.0 * FRAME_S if hurried else FRAME_S
             if self.left_s <= 0.0:
                 self.finish(status.running)
         elif motion in LASTS and not self.asked:
@@ -135,7 +137,7 @@ class IdealWorld:
         status.running = status.running if self.left_s > 0.0 else kelpie.NO_MOTION
 
     def finish(self, motion):
-        if motion in (kelpie.GRAB, kelpie.GRAB_QUICK):
+        if motion in GRABS:
             self.grabs += 1
             x, y = self.robot_frame(self.ball)
             self.held = abs(x) < 4.0 and 4.0 < y < 14.0

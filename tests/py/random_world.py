@@ -83,7 +83,7 @@ class RandomWorld:
             if wanted != kelpie.NO_MOTION and self.often(0.3):
                 status.running = wanted
         elif self.often(0.1):
-            if status.running in (kelpie.GRAB, kelpie.GRAB_QUICK):
+            if status.running in (kelpie.GRAB, kelpie.GRAB_QUICK, kelpie.GRAB_LIFT):
                 status.feeling.ball_held = self.often(0.8)
             status.running = kelpie.NO_MOTION
         status.seconds_left = self.between(0.0, 2.0)

@@ -9,7 +9,7 @@ import pytest
 from conftest import ROOT
 
 MOTIONS = "actuator/data/motions"
-LISTED = "motion = { number = 22, use = \"kick\", ball = \"free\", leaf = \"nudge\" }"
+LISTED = "motion = { number = 23, use = \"kick\", ball = \"free\", leaf = \"nudge\" }"
 
 
 @pytest.fixture
@@ -42,15 +42,16 @@ def test_a_new_kick_is_known_to_both_sides_by_its_file_alone(tree):
     assert made(tree)[0] == 0
     header = (tree / "out/robot/core/Enumerations.h").read_text()
     names = (tree / "out/behaviour/PythonEnumerations.h").read_text()
-    assert "cheer, nudge }" in header and "kMotionKindCount = 23" in header
+    assert "grabLift, nudge }" in header and "kMotionKindCount = 24" in header
     assert "    MotionUse::kick,  // nudge" in header
-    assert "CHEER, NUDGE = range(23)" in names and "    NUDGE: Kick('nudge', NUDGE," in names
+    assert "GRAB_LIFT, NUDGE = range(24)" in names.replace(" \\\n    ", " ")
+    assert "    NUDGE: Kick('nudge', NUDGE," in names
 
 
 @pytest.mark.parametrize("listed, says", [
     ("", "nudge.toml: motion: says nothing of its number"),
-    (LISTED.replace("22", "23"), "nudge.toml: motion.number: 23, where 22 is the next"),
-    (LISTED.replace("22", "9"), "motion.number: 9, where"),
+    (LISTED.replace("23", "24"), "nudge.toml: motion.number: 24, where 23 is the next"),
+    (LISTED.replace("23", "9"), "motion.number: 9, where"),
     (LISTED.replace('"kick"', '"shove"'), "motion.use: is one of rest, kick"),
     (LISTED.replace('ball = "free", ', ""), "motion.ball: a kick's is free, held or both"),
     (LISTED.replace("leaf", "leaves"), "motion.leaves: there is no such key"),
@@ -60,6 +61,16 @@ def test_a_file_that_does_not_list_its_motion_is_refused_in_one_line(tree, liste
     nudge(tree, listed)
     code, reported = made(tree)
     assert code == 1 and says in reported and "\n" not in reported
+
+
+def test_a_motion_is_hurried_by_one_that_is_there(tree):
+    path = tree / MOTIONS / "grab.toml"
+    path.write_text(path.read_text().replace('"grab_quick"', '"grab_at_once"'))
+    done = subprocess.run(
+        ["/usr/bin/python3", "-B", tree / "actuator/data/compile.py", tree / "actuator/data/walks",
+         tree / MOTIONS, tree / "data.cpp"], capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert "grab.toml: hurried_by: there is no motion grab_at_once" in done.stderr
 
 
 def test_what_would_stay_the_same_is_not_written_again(tree):

@@ -76,12 +76,12 @@ void takeAway(PhysicalWalker& walker, Grabbed& grabbed) {
   watch(false, walker, grabbed.reportedEmpty, grabbed.emptyWindows);
 }
 
-Grabbed one(Rolls rolls, bool quick, std::uint64_t seed) {
+Grabbed one(Rolls rolls, MotionKind motion, std::uint64_t seed) {
   const actuator::ActuatorParams params;
   Random random(seed);
   PhysicalWalker walker(learn::variedModels(seed, 1, kStep).front(), params, seed);
   learn::GrabPlace place = placeOf(rolls, random);
-  place.quick = quick;
+  place.motion = motion;
   Grabbed grabbed;
   grabbed.end = learn::grab(place, random, walker);
   if (grabbed.end != learn::GrabEnd::held) return grabbed;
@@ -117,23 +117,25 @@ struct Sums {
   }
 };
 
-Sums tryAll(Rolls rolls, bool quick, const Request& request) {
+Sums tryAll(Rolls rolls, MotionKind motion, const Request& request) {
   std::vector<Grabbed> all(static_cast<std::size_t>(request.trials));
-  host::onCores(all.size(), [&](std::size_t i) { all[i] = one(rolls, quick, request.seed + i); });
+  host::onCores(all.size(), [&](std::size_t i) { all[i] = one(rolls, motion, request.seed + i); });
   Sums sums;
   for (const Grabbed& grabbed : all) sums.add(grabbed);
   return sums;
 }
 
 Expected<Json> grabs(const Request& request) {
-  const Sums rest = tryAll(Rolls::no, false, request);
-  const Sums rolling = tryAll(Rolls::anywhere, false, request);
-  const Sums across = tryAll(Rolls::across, false, request);
-  const Sums quick = tryAll(Rolls::no, true, request);
+  const Sums rest = tryAll(Rolls::no, MotionKind::grab, request);
+  const Sums rolling = tryAll(Rolls::anywhere, MotionKind::grab, request);
+  const Sums across = tryAll(Rolls::across, MotionKind::grab, request);
+  const Sums quick = tryAll(Rolls::no, MotionKind::grabQuick, request);
+  const Sums lift = tryAll(Rolls::no, MotionKind::grabLift, request);
   return Json{{"success_rest", rest.success.value()},
               {"success_rolling", rolling.success.value()},
               {"success_across", across.success.value()},
               {"success_quick", quick.success.value()},
+              {"success_lift", lift.success.value()},
               {"kept_turning", rest.turning.value()},
               {"kept_ahead", rest.ahead.value()},
               {"felt_rate", rest.reported.value()},

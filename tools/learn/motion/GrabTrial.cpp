@@ -100,7 +100,7 @@ GrabEnd grab(const GrabPlace& place, Random& random, PhysicalWalker& walker) {
       {fieldFromRobot(pose, place.ball), {place.speed * way.cos(), place.speed * way.sin()}});
   if (!approach(place, random, walker)) return walker.fallen() ? GrabEnd::fell : GrabEnd::missed;
   Command command = holdingCommand();
-  command.motion = place.quick ? MotionKind::grabQuick : MotionKind::grab;
+  command.motion = place.motion;
   walker.step(command);
   while (walker.output().status.running != MotionKind::none ||
          walker.state().motion.answered == false) {

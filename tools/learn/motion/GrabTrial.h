@@ -14,7 +14,7 @@ struct GrabPlace {
   double speed = 0.0;  // cm/s
   Angle direction;     // of its way, left of the robot's own
   double error = 1.0;  // cm, sd of where the robot thinks it is, the same for a whole approach
-  bool quick = false;  // the grab of six frames
+  MotionKind motion = MotionKind::grab;  // one of MotionUse::grab
 };
 
 enum class GrabEnd : std::uint8_t { missed, held, fell };

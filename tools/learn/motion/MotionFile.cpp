@@ -36,12 +36,13 @@ class Reader {
   Expected<MotionData> read(const toml::table& file) {
     MotionData motion;
     motion.returnTicks = 30;
-    known(file,
-          {"about", "motion", "learn", "slew", "at_once", "return_ticks", "way", "kick", "frame"});
+    known(file, {"about", "motion", "learn", "slew", "at_once", "return_ticks", "hurried_by", "way",
+                 "kick", "frame"});
     if (file.contains("about") && !file["about"].is_string()) complain(file, "about: is a text");
     number(file, "slew", motion.slew);
     number(file, "at_once", motion.atOnce);
     number(file, "return_ticks", motion.returnTicks);
+    motion.hurriedBy = word(file, "hurried_by", actuator::kMotionNames, motion.hurriedBy);
     if (const toml::table* way = table(file, "way")) {
       known(*way, {"forward", "left", "turn", "forward_sd", "left_sd", "turn_sd"});
       number(*way, "forward", motion.way.forward);
@@ -126,8 +127,9 @@ class Reader {
   void addFrame(const toml::node& node, MotionData& motion) {
     const toml::table* frame = node.as_table();
     if (frame == nullptr) return complain(node, "frame: is not a table");
-    known(*frame, {"ticks", "interpolate", "gain", "head", "mouth", "legs", "walk", "forward",
-                   "left", "turn", "front", "hind", kLegs[0], kLegs[1], kLegs[2], kLegs[3]});
+    known(*frame,
+          {"ticks", "interpolate", "gain", "head", "asks_pan", "mouth", "legs", "walk", "forward",
+           "left", "turn", "front", "hind", kLegs[0], kLegs[1], kLegs[2], kLegs[3]});
     KeyFrame key;
     key.mouth = kMouthShut;
     if (!frame->contains("ticks")) complain(node, "ticks: is missing");
@@ -135,6 +137,7 @@ class Reader {
     number(*frame, "interpolate", key.interpolate);
     number(*frame, "gain", key.gain);
     key.movesHead = angles(*frame, "head", key.head.data());
+    number(*frame, "asks_pan", key.asksPan);
     key.movesMouth = frame->contains("mouth");
     number(*frame, "mouth", key.mouth);
     legs(*frame, key);
@@ -231,6 +234,7 @@ std::string frameText(const KeyFrame& key) {
   if (key.interpolate) out += "interpolate = true\n";
   if (key.gain != 1.0) out += fmt::format("gain = {}\n", key.gain);
   if (key.movesHead) out += fmt::format("head = {}\n", three(key.head.data()));
+  if (key.asksPan) out += "asks_pan = true\n";
   if (key.movesMouth) out += fmt::format("mouth = {:.1f}\n", key.mouth.deg());
   if (key.legs == KeyLegs::angles) {
     const bool both =
@@ -278,6 +282,9 @@ std::string motionText(const MotionData& exact, const std::string& about, Motion
   if (tenth(motion.slew.deg()) != 20.0) out += fmt::format("slew = {:.1f}\n", motion.slew.deg());
   if (motion.atOnce) out += "at_once = true\n";
   out += fmt::format("return_ticks = {}\n", motion.returnTicks);
+  if (motion.hurriedBy != MotionKind::none)
+    out += fmt::format("hurried_by = \"{}\"\n",
+                       actuator::kMotionNames[static_cast<std::size_t>(motion.hurriedBy)]);
   const actuator::MotionWay& way = motion.way;
   const std::array<double, 6> numbers{way.forward,   way.left,   way.turn.deg(),
                                       way.forwardSd, way.leftSd, way.turnSd.deg()};

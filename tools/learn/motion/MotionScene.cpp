@@ -13,7 +13,7 @@ constexpr double kBeforeGrab = 10.0;  // cm ahead of the neck base
 constexpr int kLies = 25;             // messages until a robot that was laid down is at rest
 constexpr double kSpeed = 100.0;      // cm/s of a ball that is to be blocked
 
-bool grabs(MotionKind kind) { return kind == MotionKind::grab || kind == MotionKind::grabQuick; }
+bool grabs(MotionKind kind) { return useOf(kind) == MotionUse::grab; }
 
 KickAim exactAim(MotionKind kind, const actuator::MotionData& motion) {
   const KickAim* aim = findKick(kind);
