@@ -42,7 +42,9 @@ void fill(WorldFrame& frame, const BehaviourIn& in) {
   frame.elapsed = input.elapsed;
   const JointAngles& joints = input.sensors.joints;
   frame.head = {joints[Joint::neckTilt], joints[Joint::headPan], joints[Joint::headNod]};
-  frame.sensors = input.sensors;
+  static_cast<SensorFrame&>(frame.sensors) = input.sensors;
+  frame.sensors.headNearDistance = in.infrared.asBase(input.sensors.headNearDistance);
+  frame.sensors.headNearThreshold = in.infrared.threshold;
   frame.stance = input.stance;
   frame.odometry = input.odometry;
   frame.motion = input.motion;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "robot/body/FieldDescription.h"
+#include "robot/body/Infrared.h"
 #include "robot/core/types/FrameInput.h"
 #include "robot/core/types/Percepts.h"
 #include "robot/core/types/WorldModel.h"
@@ -14,6 +15,7 @@ struct BehaviourIn {
   const Percepts& percepts;
   const WorldModel& world;
   const body::FieldDescription& field;
+  body::InfraredParams infrared{};  // of this robot
 };
 
 }  // namespace kelpie::behaviour

@@ -21,12 +21,25 @@ struct HeadAngles {
   }
 };
 
+// The near distance is as the base robot would read it.
+struct WorldSensors : SensorFrame {
+  double headNearThreshold = 20.0;  // a smaller near distance is that of something in the way
+
+  template <int = 0>
+  static constexpr auto fields() {
+    return SensorFrame::fields().apply([](const auto&... sensed) {
+      return fieldList(sensed...,
+                       field("headNearThreshold", &WorldSensors::headNearThreshold, "cm"));
+    });
+  }
+};
+
 struct WorldFrame {
   TimeUs time;
   std::uint32_t frame = 0;
   double elapsed = 0.0;
   HeadAngles head;  // as sensed at the exposure
-  SensorFrame sensors;
+  WorldSensors sensors;
   Stance stance;
   Odometry odometry;
   MotionStatus motion;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "robot/body/Infrared.h"
 #include "robot/core/types/FrameInput.h"
 #include "robot/core/types/Geometry.h"
 #include "robot/core/types/Percepts.h"
@@ -29,19 +30,20 @@ struct BodyParams {
   // (facts-2005 section 2.2): the head's weight hangs in the play of the joint.
   double neckGives = 0.0;  // share of the sensed neck tilt that is missing
   Angle neckBacklash;      // play between both sides; a turning neck lags by half of it
+  InfraredParams infrared;
 
   template <int = 0>
   static constexpr auto fields() {
     using P = BodyParams;
-    return fieldList(field("lens", &P::lens),
-                     field("neckTiltOffset", &P::neckTiltOffset, "rad", -10, 10),
-                     field("headPanOffset", &P::headPanOffset, "rad", -10, 10),
-                     field("headNodOffset", &P::headNodOffset, "rad", -10, 10),
-                     field("bodyTiltOffset", &P::bodyTiltOffset, "rad", -10, 10),
-                     field("bodyRollOffset", &P::bodyRollOffset, "rad", -10, 10),
-                     field("cameraRollOffset", &P::cameraRollOffset, "rad", -10, 10),
-                     field("neckGives", &P::neckGives, "", -0.3, 0.3),
-                     field("neckBacklash", &P::neckBacklash, "rad", 0, 10));
+    return fieldList(
+        field("lens", &P::lens), field("neckTiltOffset", &P::neckTiltOffset, "rad", -10, 10),
+        field("headPanOffset", &P::headPanOffset, "rad", -10, 10),
+        field("headNodOffset", &P::headNodOffset, "rad", -10, 10),
+        field("bodyTiltOffset", &P::bodyTiltOffset, "rad", -10, 10),
+        field("bodyRollOffset", &P::bodyRollOffset, "rad", -10, 10),
+        field("cameraRollOffset", &P::cameraRollOffset, "rad", -10, 10),
+        field("neckGives", &P::neckGives, "", -0.3, 0.3),
+        field("neckBacklash", &P::neckBacklash, "rad", 0, 10), field("infrared", &P::infrared));
   }
 };
 

@@ -46,13 +46,14 @@ class HostRun {
   Command step() {
     input.frame += 1;
     input.time = TimeUs::fromSeconds(input.frame * kFrameSeconds);
-    return behaviour::step(BehaviourIn{input, percepts, world, field}, params, state);
+    return behaviour::step({input, percepts, world, field, infrared}, params, state);
   }
 
   FrameInput input;
   Percepts percepts;
   WorldModel world;
   body::FieldDescription field;
+  body::InfraredParams infrared;
   BehaviourParams params;
   BehaviourState state;
 };

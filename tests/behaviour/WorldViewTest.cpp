@@ -34,6 +34,18 @@ TEST(WorldView, NumbersAnglesAndTimesAreShownInTheirUnits) {
   EXPECT_NEAR(seen(run, scripts, "world.time_s * 30 - world.frame"), 0.0, 1e-3);
 }
 
+TEST(WorldView, NearDistanceIsThatOfTheBaseRobotAndItsThresholdIsBesideIt) {
+  const Scripts scripts("return kelpie.Command()");
+  HostRun run(scripts);
+  run.input.sensors.headNearDistance = 30.0;
+  EXPECT_EQ(seen(run, scripts, "world.sensors.head_near_distance"), 30.0);
+  EXPECT_EQ(seen(run, scripts, "world.sensors.head_near_threshold"), 20.0);
+  run.infrared = {0.9, 1.5, 18.5};
+  EXPECT_NEAR(seen(run, scripts, "world.sensors.head_near_distance"), 28.5, 1e-12);
+  EXPECT_EQ(seen(run, scripts, "world.sensors.head_near_threshold"), 18.5);
+  EXPECT_EQ(seen(run, scripts, "world.sensors.chest_distance - 60"), 30.0);
+}
+
 TEST(WorldView, ListsHaveTheirLengthAndElements) {
   const Scripts scripts("return kelpie.Command()");
   HostRun run(scripts);

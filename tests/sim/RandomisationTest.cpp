@@ -58,6 +58,20 @@ TEST(Randomisation, LeansHaveTheirSpread) {
   EXPECT_NEAR(std::sqrt(roll2), 1.5, 0.1);
 }
 
+// Thesis 2006 section 6.4.4: NUbots' robots read 20 to 25 cm where the carpet is.
+TEST(Randomisation, NosesReadTheSameCarpetAsTwentyToTwentyFiveCentimetres) {
+  double low = 50.0;
+  double high = 0.0;
+  for (std::uint64_t match = 0; match < 1000; ++match) {
+    const NoseSensor nose = drawnWith({"infrared"}, match).nose;
+    const double carpet = nose.gain * 22.5 + nose.offset;
+    low = std::fmin(low, carpet);
+    high = std::fmax(high, carpet);
+  }
+  EXPECT_NEAR(low, 20.0, 0.5);
+  EXPECT_NEAR(high, 25.0, 0.5);
+}
+
 BodyPlace looking() {
   BodyPlace place;
   place.stance = {10.0, Angle::deg(14.0), {}};

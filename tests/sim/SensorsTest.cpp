@@ -56,6 +56,22 @@ TEST(Sensors, StandingStillUpReadsGravity) {
   EXPECT_FALSE(frame.chin);
 }
 
+TEST(Sensors, ANoseThatIsNoOtherRobotsReadsAStraightLineOfTheDistance) {
+  Place place;
+  SensorParams params;
+  params.distanceNoise = 0.0;
+  Random random(1);
+  place.obstacles.push_back({{150.0, 240.0}, {210.0, 240.0}, 1.0});
+  const Surroundings around = place.around();
+  const BodyFeeling feeling = place.bodies.feel(0);
+  const SensorFrame exact = sense(around, feeling, params, random);
+  ASSERT_TRUE(exact.headNearDistance > 15.0 && exact.headNearDistance < 45.0);
+  const SensorFrame other = sense(around, feeling, params, random, {1.05, -0.5});
+  EXPECT_NEAR(other.headNearDistance, 1.05 * exact.headNearDistance - 0.5, 1e-9);
+  EXPECT_EQ(other.headFarDistance, exact.headFarDistance);
+  EXPECT_EQ(other.chestDistance, exact.chestDistance);
+}
+
 TEST(Sensors, FrameIsInsideItsRanges) {
   Place place;
   Random random(1);

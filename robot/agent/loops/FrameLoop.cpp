@@ -26,8 +26,9 @@ void FrameLoop::decide(const FrameInput& input, StageObserver& observer) {
   observer.end(Stage::gps);
 
   observer.begin(Stage::behaviour);
-  output_.command = behaviour::step({input, output_.percepts, output_.world, config_.field},
-                                    config_.behaviour, behaviour_);
+  output_.command = behaviour::step(
+      {input, output_.percepts, output_.world, config_.field, config_.body.infrared},
+      config_.behaviour, behaviour_);
   Command& command = output_.command;
   command.leds =
       body::lights(input.game, command.team.role, command.leds) | body::lightsOf(command.fallback);

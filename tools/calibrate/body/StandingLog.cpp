@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "robot/agent/log/FrameMessages.h"
+#include "tools/calibrate/LoggedFrames.h"
 
 namespace kelpie::calibrate {
 namespace {
@@ -135,31 +135,6 @@ std::array<double, 3> meanHead(const std::vector<Moment>& moments, const std::ve
   return sum;
 }
 
-// Calls take(input, image kept) for every frame; the configuration comes before them.
-template <class Take>
-Status forEachFrame(const std::string& path, StandingLog& log, Take&& take) {
-  auto reader = LogReader::open(path);
-  if (!reader) return Error{reader.error()};
-  LogMessage message;
-  const auto input = std::make_unique<FrameInput>();
-  bool configured = false;
-  while (reader->next(message)) {
-    Status done = Done{};
-    if (message.topic() == kConfigTopic) {
-      done = decodeAs(message, *log.config);
-      configured = true;
-    } else if (agent::isFrameInput(message.topic())) {
-      done = agent::decodeFrameInput(message, *input);
-      if (done) take(*input, message.topic() != kPictureFrameTopic);
-    }
-    if (!done) return Error{path + ": " + done.error()};
-  }
-  if (!reader->status()) return reader->status();
-  log.lacks = reader->lacks();
-  if (!configured) return Error{path + ": not a log of an agent"};
-  return Done{};
-}
-
 std::string seconds(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.1f s", value);
@@ -188,9 +163,9 @@ Expected<StandingLog> readStanding(const std::string& path) {
   StandingLog log;
   log.config = std::make_unique<agent::AgentConfig>();
   std::vector<Moment> moments;
-  const Status read = forEachFrame(path, log, [&](const FrameInput& input, bool image) {
-    moments.push_back(momentOf(input, image));
-  });
+  const Status read = forEachFrame(
+      path, *log.config, log.lacks,
+      [&](const FrameInput& input, bool image) { moments.push_back(momentOf(input, image)); });
   if (!read) return Error{read.error()};
   const Span stand = longestStand(moments);
   const Status stood = checkStand(path, moments, stand);
@@ -208,13 +183,14 @@ Expected<StandingLog> readStanding(const std::string& path) {
   std::size_t at = 0;
   std::size_t met = 0;
   int last = -1;
-  const Status kept = forEachFrame(path, log, [&](const FrameInput& input, bool) {
-    const std::size_t frame = at++;
-    if (frame >= rests.size() || rests[frame].stop < 0 || met++ % every != 0) return;
-    if (rests[frame].stop != last) ++log.stops;
-    last = rests[frame].stop;
-    log.frames.push_back({input, log.stops - 1, frame, meanHead(moments, rests, frame)});
-  });
+  const Status kept =
+      forEachFrame(path, *log.config, log.lacks, [&](const FrameInput& input, bool) {
+        const std::size_t frame = at++;
+        if (frame >= rests.size() || rests[frame].stop < 0 || met++ % every != 0) return;
+        if (rests[frame].stop != last) ++log.stops;
+        last = rests[frame].stop;
+        log.frames.push_back({input, log.stops - 1, frame, meanHead(moments, rests, frame)});
+      });
   if (!kept) return Error{kept.error()};
   const Status rested = checkStops(path, log);
   if (!rested) return Error{rested.error()};

@@ -40,6 +40,7 @@ void addCalibrate(CommandLine& app, int& code) {
       "calibrate", "Make the tables of a robot's camera and a venue's light, learn walks, motions");
   command.requireSubcommand();
   addCalibrateBody(command, code);
+  addCalibrateInfrared(command, code);
   addCalibrateRing(command, code);
   addCalibrateColour(command, code);
   addCalibrateShift(command, code);

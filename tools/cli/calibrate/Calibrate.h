@@ -12,6 +12,7 @@ namespace kelpie::cli {
 
 void addCalibrateBody(CommandLine& command, int& code);
 void addCalibrateFast(CommandLine& command, int& code);
+void addCalibrateInfrared(CommandLine& command, int& code);
 void addCalibrateKicks(CommandLine& command, int& code);
 void addCalibrateMotion(CommandLine& command, int& code);
 void addCalibrateRing(CommandLine& command, int& code);

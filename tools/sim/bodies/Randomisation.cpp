@@ -12,7 +12,7 @@ struct Kind {
   const char* name;
   bool RandomisationParams::*on;
 };
-constexpr std::array<Kind, 12> kKinds{{{"body", &RandomisationParams::body},
+constexpr std::array<Kind, 13> kKinds{{{"body", &RandomisationParams::body},
                                        {"physics", &RandomisationParams::physics},
                                        {"neck", &RandomisationParams::neck},
                                        {"lens", &RandomisationParams::lens},
@@ -23,7 +23,8 @@ constexpr std::array<Kind, 12> kKinds{{{"body", &RandomisationParams::body},
                                        {"tape", &RandomisationParams::tape},
                                        {"carpet", &RandomisationParams::carpet},
                                        {"light", &RandomisationParams::light},
-                                       {"room", &RandomisationParams::room}}};
+                                       {"room", &RandomisationParams::room},
+                                       {"infrared", &RandomisationParams::infrared}}};
 
 enum class Stream : std::uint64_t {
   body = 1,
@@ -37,7 +38,8 @@ enum class Stream : std::uint64_t {
   carpet,
   light,
   room,
-  physics
+  physics,
+  infrared
 };
 constexpr std::size_t kVenue = kMaxRobots;  // where a robot's number stands otherwise
 
@@ -83,6 +85,11 @@ Uniform drawUniform(const RandomisationParams& params, Random random) {
   return uniform;
 }
 
+NoseSensor drawNose(const RandomisationParams& params, Random random) {
+  const double gain = 1.0 + params.noseGain * random.uniform(-1.0, 1.0);
+  return {gain, params.noseOffset * random.uniform(-1.0, 1.0)};
+}
+
 void drawCarpet(const RandomisationParams& params, Random random, Venue& venue) {
   venue.carpet = random.uniform(params.darkestCarpet, params.brightestCarpet);
   venue.stripes.width = random.uniform(60.0, 200.0);  // cm; carpet is sold in strips of 2 m
@@ -124,6 +131,7 @@ RandomisedRobot drawRandomisedRobot(const RandomisationParams& params, std::uint
     if (params.shutter) drawn.readout = drawReadout(params, stream(Stream::shutter));
     if (params.tone) drawn.tone = drawTone(params, stream(Stream::tone));
     if (params.uniform) drawn.uniform = drawUniform(params, stream(Stream::uniform));
+    if (params.infrared) drawn.nose = drawNose(params, stream(Stream::infrared));
     if (params.lag) drawn.lag = stream(Stream::lag).chance(params.lagging) ? 1.0 : 0.0;
   }
   drawn.body.lean.tilt = drawn.body.lean.tilt + params.lean.tilt;

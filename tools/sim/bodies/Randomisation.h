@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a world differs from the one that Kelpie was tuned in, drawn from a seed: each robot's body,
-// physics, neck, lens, shutter and uniform, and the place that it plays in. No two real robots and
+// physics, neck, lens, shutter, nose and uniform, and the place that it plays in. No two robots and
 // no two venues are alike; the nominal world (seed 0) has none of this. Every kind of difference
 // can be switched off by itself and has its own random numbers, so that one never changes another.
 #pragma once
@@ -26,18 +26,19 @@ struct RandomisationParams {
   std::uint64_t seed = 0;  // 0: the nominal world
   Lean lean;               // constant, of every robot, in the nominal world too: for experiments
 
-  bool body = true;     // lean and accelerometer
-  bool physics = true;  // servos, mass, friction and play of legs (physics/Variation.h)
-  bool neck = true;     // play of the head's joints
-  bool lens = true;     // focal length
-  bool shutter = true;  // read-out time, or global
-  bool lag = true;      // the image is older than its stamp
-  bool tone = true;     // the camera's response is not linear
-  bool uniform = true;  // worn or shiny
-  bool tape = true;     // its width
-  bool carpet = true;   // its brightness, and stripes
-  bool light = true;    // a second one of another colour
-  bool room = true;     // walls, floor, boards and tables
+  bool body = true;      // lean and accelerometer
+  bool physics = true;   // servos, mass, friction and play of legs (physics/Variation.h)
+  bool neck = true;      // play of the head's joints
+  bool lens = true;      // focal length
+  bool shutter = true;   // read-out time, or global
+  bool lag = true;       // the image is older than its stamp
+  bool tone = true;      // the camera's response is not linear
+  bool uniform = true;   // worn or shiny
+  bool tape = true;      // its width
+  bool carpet = true;    // its brightness, and stripes
+  bool light = true;     // a second one of another colour
+  bool room = true;      // walls, floor, boards and tables
+  bool infrared = true;  // what the near sensor of the head makes of a distance
 
   double leanSdDeg = 1.5;          // of tilt and of roll: 3 deg is 95 % (facts-2005 section 2.1)
   double accelerationBias = 20.0;  // cm/s2, sd of each axis: 1.2 deg of tilt [chosen]
@@ -77,6 +78,23 @@ struct RandomisationParams {
   double lightStrength = 0.2;    // at most [chosen]
   // Levels at most [chosen]; two robots differ by up to 13.6 at once (facts-2005 section 3).
   double lightWarmth = 10.0;
+  // Thesis 2006 section 6.4.4: NUbots' robots read 20 to 25 cm of the same carpet. Both together
+  // make that of 22.5 cm [chosen how much each].
+  double noseGain = 0.07;   // from 1, at most
+  double noseOffset = 0.9;  // cm at most
+};
+
+// What the near infrared sensor of a head makes of a distance, but for its noise. The thesis tells
+// of no other sensor that robots differ in it.
+struct NoseSensor {
+  double gain = 1.0;
+  double offset = 0.0;  // cm
+
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("gain", &NoseSensor::gain, "", 0.5, 2),
+                     field("offset", &NoseSensor::offset, "cm", -10, 10));
+  }
 };
 
 // What of a robot's body the walk engine does not know.
@@ -100,16 +118,17 @@ struct RandomisedRobot {
   double lag = 0.0;                           // frames
   std::array<double, 3> tone{1.0, 1.0, 1.0};  // as RobotCamera has it
   Uniform uniform;
+  NoseSensor nose;
 
   template <int = 0>
   static constexpr auto fields() {
-    return fieldList(field("body", &RandomisedRobot::body),
-                     field("physics", &RandomisedRobot::physics),
-                     field("lens", &RandomisedRobot::lens),
-                     field("readout", &RandomisedRobot::readout, "", 0, 1),
-                     field("lag", &RandomisedRobot::lag, "", 0, 1),
-                     field("tone", &RandomisedRobot::tone, "", 0.5, 2),
-                     field("uniform", &RandomisedRobot::uniform));
+    return fieldList(
+        field("body", &RandomisedRobot::body), field("physics", &RandomisedRobot::physics),
+        field("lens", &RandomisedRobot::lens),
+        field("readout", &RandomisedRobot::readout, "", 0, 1),
+        field("lag", &RandomisedRobot::lag, "", 0, 1),
+        field("tone", &RandomisedRobot::tone, "", 0.5, 2),
+        field("uniform", &RandomisedRobot::uniform), field("nose", &RandomisedRobot::nose));
   }
 };
 

@@ -89,11 +89,12 @@ double measured(double distance, Range range, double noise, Random& random) {
   return maths::clamp(value, range.low, range.high);
 }
 
-void senseDistances(const Surroundings& around, double noise, Random& random, SensorFrame& frame) {
+void senseDistances(const Surroundings& around, double noise, const NoseSensor& nose,
+                    Random& random, SensorFrame& frame) {
   const BodyPlace& place = around.robots[around.self];
   const FieldCamera head = fieldCamera(place.pose, trueCamera(place));
   const double ahead = rayDistance(around, head.position, head.forward);
-  frame.headNearDistance = measured(ahead, {5.0, 50.0}, noise, random);
+  frame.headNearDistance = measured(nose.gain * ahead + nose.offset, {5.0, 50.0}, noise, random);
   frame.headFarDistance = measured(ahead, {20.0, 150.0}, noise, random);
   frame.chestDistance = chestDistance(around, noise, random);
 }
@@ -134,11 +135,11 @@ double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,
 }
 
 SensorFrame sense(const Surroundings& around, const BodyFeeling& feeling,
-                  const SensorParams& params, Random& random) {
+                  const SensorParams& params, Random& random, const NoseSensor& nose) {
   SensorFrame frame;
   frame.joints = feeling.joints;
   frame.duty = feeling.duty;
-  senseDistances(around, params.distanceNoise, random, frame);
+  senseDistances(around, params.distanceNoise, nose, random, frame);
   frame.acceleration = feeling.acceleration;
   for (double& axis : frame.acceleration) axis = random.gaussian(axis, params.accelerationSd);
   frame.paw = feeling.paw;

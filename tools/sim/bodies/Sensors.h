@@ -8,6 +8,7 @@
 #include "robot/core/Random.h"
 #include "robot/core/types/Motion.h"
 #include "tools/sim/bodies/Bodies.h"
+#include "tools/sim/bodies/Randomisation.h"
 #include "tools/sim/world/Ball.h"
 
 namespace kelpie::sim {
@@ -41,7 +42,7 @@ struct Surroundings {
 };
 
 SensorFrame sense(const Surroundings& around, const BodyFeeling& feeling,
-                  const SensorParams& params, Random& random);
+                  const SensorParams& params, Random& random, const NoseSensor& nose = {});
 
 // Of the chest's sensor, cm; what is closer than 7 cm reads too far.
 double chestDistance(const Surroundings& around, double noise, Random& random);

@@ -83,7 +83,8 @@ void World::senseAll() {
   for (std::size_t i = 0; i < robotCount(); ++i) {
     const Surroundings around{past_.ballNow(), obstacles_, past_.robotsNow(), i};
     std::rotate(sensors_[i].begin(), sensors_[i].begin() + 1, sensors_[i].end());
-    sensors_[i].back() = sense(around, bodies_->feel(i), params_.sensors, sensorRandom_[i]);
+    sensors_[i].back() = sense(around, bodies_->feel(i), params_.sensors, sensorRandom_[i],
+                               randomised_.robots[i].nose);
   }
 }
 
