@@ -48,6 +48,7 @@ void fill(WorldFrame& frame, const BehaviourIn& in) {
   frame.stance = input.stance;
   frame.odometry = input.odometry;
   frame.motion = input.motion;
+  frame.battery = input.battery;
   frame.game = input.game;
   frame.lastCommand = input.lastCommand;
   forEachFieldOf<Percepts>(

@@ -43,6 +43,7 @@ struct WorldFrame {
   Stance stance;
   Odometry odometry;
   MotionStatus motion;
+  Battery battery;
   GameState game;
   Command lastCommand;
   Percepts percepts;
@@ -72,9 +73,10 @@ struct WorldFrame {
         field("time", &W::time, "us"), field("frame", &W::frame),
         field("elapsed_s", &W::elapsed, "s"), field("head", &W::head),
         field("sensors", &W::sensors), field("stance", &W::stance), field("odometry", &W::odometry),
-        field("motion", &W::motion), field("game", &W::game), field("lastCommand", &W::lastCommand),
-        field("percepts", &W::percepts), field("pose", &W::pose),
-        field("positionSd", &W::positionSd, "cm"), field("headingSd", &W::headingSd, "rad"),
+        field("motion", &W::motion), field("battery", &W::battery), field("game", &W::game),
+        field("lastCommand", &W::lastCommand), field("percepts", &W::percepts),
+        field("pose", &W::pose), field("positionSd", &W::positionSd, "cm"),
+        field("headingSd", &W::headingSd, "rad"),
         field("secondsSinceLandmark", &W::secondsSinceLandmark, "s"),
         field("secondsSinceLines", &W::secondsSinceLines, "s"), field("stuck", &W::stuck),
         field("covariance", &W::covariance, "cm2, cm rad, rad2"), field("modes", &W::modes),

@@ -230,6 +230,7 @@ void Agent::NotifyPower(void* message) {
 void Agent::takePower(const OPowerStatus& status) {
   const PowerReport report = reportOf(status);
   motionInput_.batteryCurrent = report.current;
+  motionInput_.batteryCharge = report.charge;
   // The robot cuts the power for a jam. The gains do not outlive that for sure, and must not.
   if (!report.motorPower && motorPower_) {
     limp();

@@ -3,6 +3,7 @@
 
 #include <OPENR/OFbkImage.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -212,6 +213,7 @@ PowerReport reportOf(const OPowerStatus& status) {
   report.fanFault = has(orsbERROR_OF_FAN);
   report.motorPower = has(orsbMOTOR_POWER);
   report.current = status.current < 0 ? -status.current : status.current;
+  report.charge = std::min<word>(status.remainingCapacity, 100) / 100.0;
   return report;
 }
 

@@ -78,7 +78,7 @@ Status HostSystem::handle(const WorldEvent& event, const openr::ObjectStub& obje
   time_ = event.step.time;
   summary_.end = time_;
   if (event.step.sensorsPresent) setLatest(event.step.sensors.back());
-  if (event.step.sensorsPresent) setBatteryCurrent(event.step.batteryCurrent);
+  if (event.step.sensorsPresent) setBattery(event.step.batteryCurrent, event.step.batteryCharge);
   // The object is started when its joints can be read.
   if (objects_.empty() && event.step.sensorsPresent) {
     const Status booted = boot(object);

@@ -52,6 +52,7 @@ Status RecordingSource::takeSensors(const LogMessage& message, WorldEvent& event
   for (std::size_t i = 0; i < kTicksPerMessage; ++i)
     event.step.sensors[i] = rawOf(motion_.sensors[i]);
   event.step.batteryCurrent = motion_.batteryCurrent;
+  event.step.batteryCharge = motion_.batteryCharge;
   sensorsSeen_ = true;
   if (waiting_ > 0) {
     event.step.vectorsDone = 1;

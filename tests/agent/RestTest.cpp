@@ -125,9 +125,11 @@ class Sink : public LogSink {
   void motion(const MotionInput& input, const MotionOutput&) override { motions.push_back(input); }
   void frame(const FrameInput& input, const FrameOutput&) override {
     lastCommand = input.lastCommand;
+    battery = input.battery;
   }
   std::vector<MotionInput> motions;
   Command lastCommand;
+  Battery battery;
 };
 
 class RestingLoops : public testing::Test {
@@ -150,6 +152,16 @@ class RestingLoops : public testing::Test {
     }
   }
   Rest rest() const { return sink_.motions.back().rest; }
+  // A message with that of the battery, and an image.
+  Battery told(double current, double charge) {
+    MotionInput motion;
+    motion.time = {32000 * ++sent_};
+    motion.batteryCurrent = current;
+    motion.batteryCharge = charge;
+    loops_->motion(motion);
+    loops_->camera(*image_, motion.time, static_cast<std::uint32_t>(sent_));
+    return sink_.battery;
+  }
 
   std::int64_t sent_ = 0;
   Sink sink_;
@@ -169,6 +181,13 @@ TEST_F(RestingLoops, RestWhileTheCameraIsSilentAndNoLonger) {
   EXPECT_NE(sink_.motions.back().command.leds & body::lightsOf(Rest::blind), 0U);
   play(2, true);
   EXPECT_EQ(rest(), Rest::none);
+}
+
+TEST_F(RestingLoops, TellTheNextFrameOfTheBattery) {
+  const Battery battery = told(1850.0, 0.42);
+  EXPECT_EQ(battery.current, 1850.0);
+  EXPECT_EQ(battery.charge, 0.42);
+  EXPECT_EQ(told(900.0, 0.41).current, 900.0);
 }
 
 TEST_F(RestingLoops, RestWhilePausedAndTellTheNextFrame) {

@@ -46,6 +46,14 @@ TEST(WorldView, NearDistanceIsThatOfTheBaseRobotAndItsThresholdIsBesideIt) {
   EXPECT_EQ(seen(run, scripts, "world.sensors.chest_distance - 60"), 30.0);
 }
 
+TEST(WorldView, BatterysCurrentAndChargeAreSeen) {
+  const Scripts scripts("return kelpie.Command()");
+  HostRun run(scripts);
+  run.input.battery = {1.5, 0.25};
+  EXPECT_EQ(seen(run, scripts, "world.battery.current"), 1.5);
+  EXPECT_EQ(seen(run, scripts, "world.battery.charge"), 0.25);
+}
+
 TEST(WorldView, ListsHaveTheirLengthAndElements) {
   const Scripts scripts("return kelpie.Command()");
   HostRun run(scripts);

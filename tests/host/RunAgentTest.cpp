@@ -250,15 +250,18 @@ TEST(AgentTest, UsesTheCameraAndTheStandardGainsOf2005) {
   EXPECT_EQ(0x0E, gain.pShift);
 }
 
-TEST(AgentTest, TellsTheLoopsTheBatterysCurrentInWholeMilliamperes) {
+TEST(AgentTest, TellsTheLoopsTheBatterysCurrentInWholeMilliamperesAndItsChargeInPercent) {
   FakeSource source;
   source.addSensors(2);
   source.steps[0].batteryCurrent = 2345.4;
   source.steps[1].batteryCurrent = 1e5;  // more than OPEN-R's word holds
+  source.steps[1].batteryCharge = 0.734;
   FakeLoops loops;
   ASSERT_TRUE(runAgent(source, loops, quiet(), {}));
   EXPECT_EQ(loops.inputs.at(0).batteryCurrent, 2345.0);
   EXPECT_EQ(loops.inputs.at(1).batteryCurrent, 32767.0);
+  EXPECT_EQ(loops.inputs.at(0).batteryCharge, 1.0);
+  EXPECT_EQ(loops.inputs.at(1).batteryCharge, 0.73);
 }
 
 TEST(AgentTest, TellsTheLoopsOfAPauseAndOfItsEndBeforeTheSensorsOfThatStep) {

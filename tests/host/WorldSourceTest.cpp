@@ -122,6 +122,10 @@ TEST_F(WorldSourceTest, NotANumberIsRefused) {
   step.batteryCurrent = std::numeric_limits<double>::quiet_NaN();
   sendStep(step);
   EXPECT_EQ("world socket: the battery's current is not finite at 0.000 s", error());
+  step.batteryCurrent = 0.0;
+  step.batteryCharge = std::numeric_limits<double>::infinity();
+  sendStep(step);
+  EXPECT_EQ("world socket: the battery's charge is not finite at 0.000 s", error());
 }
 
 TEST_F(WorldSourceTest, SilentWorldIsNoticed) {

@@ -185,6 +185,10 @@ TEST(PowerTest, BitsBecomeWords) {
   EXPECT_TRUE(reportOf(status).motorPower);
   EXPECT_FALSE(reportOf(status).batteryLow);
   EXPECT_EQ(1200.0, reportOf(status).current) << "whatever its sense";
+  status.remainingCapacity = 62;
+  EXPECT_EQ(0.62, reportOf(status).charge);
+  status.remainingCapacity = 0xffff;
+  EXPECT_EQ(1.0, reportOf(status).charge) << "at most a full battery";
   status.robotStatus = orsbBATTERY_CAPACITY_LOW;
   EXPECT_TRUE(reportOf(status).batteryLow);
   status.robotStatus = 0;

@@ -92,12 +92,13 @@ TEST_F(ApiTest, JointValueIsInMicroradiansAndUnknownBeforeTheFirstSensors) {
   EXPECT_EQ(-256, value.pwmDuty);
 }
 
-TEST_F(ApiTest, PowerStatusTellsTheBatterysCurrent) {
+TEST_F(ApiTest, PowerStatusTellsTheBatterysCurrentAndWhatIsLeftOfIt) {
   EXPECT_EQ(oINVALID_ARG, OPENR::GetPowerStatus(nullptr));
   OPowerStatus status{};
-  system_.setBatteryCurrent(1800.0);
+  system_.setBattery(1800.0, 0.734);
   ASSERT_EQ(oSUCCESS, OPENR::GetPowerStatus(&status));
   EXPECT_EQ(1800, status.current);
+  EXPECT_EQ(73, status.remainingCapacity);
 }
 
 TEST_F(ApiTest, WhoObservesThePowerIsInformedOfEachChange) {

@@ -72,6 +72,12 @@ TEST(Sensors, ANoseThatIsNoOtherRobotsReadsAStraightLineOfTheDistance) {
   EXPECT_EQ(other.chestDistance, exact.chestDistance);
 }
 
+TEST(Sensors, ABatteryOf2200MilliamperehoursGivesItsMilliamperesForAnHour) {
+  EXPECT_NEAR(drained(1.0, 2200.0, 3600.0, {}), 0.0, 1e-12);
+  EXPECT_NEAR(drained(1.0, 1100.0, 1800.0, {}), 0.75, 1e-12);
+  EXPECT_EQ(drained(0.001, 2200.0, 3600.0, {}), 0.0);
+}
+
 TEST(Sensors, FrameIsInsideItsRanges) {
   Place place;
   Random random(1);

@@ -15,6 +15,7 @@ struct PowerReport {
   bool motorPower = false;   // the motors are powered; not before the system has said so, and not
                              // after the robot has cut it for a jam
   double current = 0.0;      // drawn from the battery, mA
+  double charge = 1.0;       // share of a full battery that is left
 
   template <int = 0>
   static constexpr auto fields() {
@@ -22,7 +23,8 @@ struct PowerReport {
     return fieldList(field("paused", &P::paused), field("batteryLow", &P::batteryLow),
                      field("overCurrent", &P::overCurrent), field("hot", &P::hot),
                      field("fanFault", &P::fanFault), field("motorPower", &P::motorPower),
-                     field("current", &P::current, "mA", 0, 2e5));
+                     field("current", &P::current, "mA", 0, 2e5),
+                     field("charge", &P::charge, "", 0, 1));
   }
 };
 

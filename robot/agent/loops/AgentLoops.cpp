@@ -71,6 +71,7 @@ const MotionOutput& AgentLoops::motion(const MotionInput& withoutCommand) {
   motionInput_.time = withoutCommand.time;
   motionInput_.sensors = withoutCommand.sensors;
   motionInput_.batteryCurrent = withoutCommand.batteryCurrent;
+  motionInput_.batteryCharge = withoutCommand.batteryCharge;
   motionInput_.held = withoutCommand.held;
   decideMotors(motionInput_);
   motionInput_.rest = motors_.rest;
@@ -112,6 +113,7 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   input_.focalScale = frame_ != nullptr ? frame_->world.focalScale : startingFocal_;
   input_.odometry = odometry_.until(exposed);
   input_.motion = motionOutput_->status;
+  input_.battery = {motionInput_.batteryCurrent, motionInput_.batteryCharge};
   input_.game = game_.game;
   input_.lastCommand = forTheBody();
   input_.drive = drive_;

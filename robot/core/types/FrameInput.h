@@ -82,6 +82,7 @@ struct FrameInput {
   ImageLag imageLag;      // so; joints, head rate and odometry are those of that much before `time`
   Odometry odometry;      // from the exposure of the previous frame to that of this one
   MotionStatus motion;
+  Battery battery;
   GameState game;
   Command lastCommand;
   Drive drive;
@@ -99,10 +100,11 @@ struct FrameInput {
         field("headRate", &FrameInput::headRate), field("stance", &FrameInput::stance),
         field("cameraTilt", &FrameInput::cameraTilt), field("focalScale", &FrameInput::focalScale),
         field("imageLag", &FrameInput::imageLag), field("odometry", &FrameInput::odometry),
-        field("motion", &FrameInput::motion), field("game", &FrameInput::game),
-        field("lastCommand", &FrameInput::lastCommand), field("drive", &FrameInput::drive),
-        field("team", &FrameInput::team), field("radio", &FrameInput::radio),
-        field("control", &FrameInput::control), field("image", &FrameInput::image));
+        field("motion", &FrameInput::motion), field("battery", &FrameInput::battery),
+        field("game", &FrameInput::game), field("lastCommand", &FrameInput::lastCommand),
+        field("drive", &FrameInput::drive), field("team", &FrameInput::team),
+        field("radio", &FrameInput::radio), field("control", &FrameInput::control),
+        field("image", &FrameInput::image));
   }
 };
 

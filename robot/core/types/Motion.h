@@ -53,6 +53,18 @@ struct SensorFrame {
   }
 };
 
+// What the battery said last.
+struct Battery {
+  double current = 0.0;  // drawn, mA
+  double charge = 1.0;   // share of a full one that is left
+
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("current", &Battery::current, "mA", 0, 2e4),
+                     field("charge", &Battery::charge, "", 0, 1));
+  }
+};
+
 // Variances of an odometry step; all 0 when the actuator does not know.
 struct OdometryVariance {
   double forward = 0.0;  // cm2
@@ -113,6 +125,7 @@ struct MotionInput {
   TimeUs time;  // of the last tick in the message
   std::array<SensorFrame, kTicksPerMessage> sensors{};
   double batteryCurrent = 0.0;  // drawn, mA
+  double batteryCharge = 1.0;   // share of a full one that is left
   Command command;
   Rest rest = Rest::none;           // not none: lie or stay, whatever the command asks of the legs
   std::uint32_t held = kAllJoints;  // bit i: joint i has a gain, so that its motor holds it
@@ -122,6 +135,7 @@ struct MotionInput {
     return fieldList(field("time", &MotionInput::time, "us"),
                      field("sensors", &MotionInput::sensors),
                      field("batteryCurrent", &MotionInput::batteryCurrent, "mA", 0, 2e4),
+                     field("batteryCharge", &MotionInput::batteryCharge, "", 0, 1),
                      field("command", &MotionInput::command),
                      field("rest", &MotionInput::rest, "", 0, kRestCount - 1),
                      field("held", &MotionInput::held));

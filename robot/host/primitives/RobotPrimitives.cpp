@@ -188,7 +188,7 @@ OStatus RobotPrimitives::powerStatus(OPowerStatus* status) {
 OPowerStatus RobotPrimitives::power() const {
   OPowerStatus status;
   status.robotStatus = robotStatus_ | (power_ ? orsbMOTOR_POWER : 0);
-  status.remainingCapacity = 100;  // no battery runs down here
+  status.remainingCapacity = batteryCapacity_;
   status.current = batteryCurrent_;
   return status;
 }
@@ -207,16 +207,18 @@ OStatus RobotPrimitives::unobservePower(const OServiceEntry& entry) {
 
 void RobotPrimitives::tellPower() {
   const OPowerStatus now = power();
-  const bool same =
-      now.robotStatus == reportedPower_.robotStatus && now.current == reportedPower_.current;
+  const bool same = now.robotStatus == reportedPower_.robotStatus &&
+                    now.remainingCapacity == reportedPower_.remainingCapacity &&
+                    now.current == reportedPower_.current;
   if (same || !powerEntry_.IsValid()) return;
   reportedPower_ = now;
   post(powerEntry_, OPowerStatusMessage(now));
 }
 
-void RobotPrimitives::setBatteryCurrent(double current) {
+void RobotPrimitives::setBattery(double current, double charge) {
   constexpr double kMax = 32767.0;
   batteryCurrent_ = static_cast<sword>(maths::clamp(current, 0.0, kMax) + 0.5);
+  batteryCapacity_ = static_cast<word>(100.0 * maths::clamp(charge, 0.0, 1.0) + 0.5);
 }
 
 double RobotPrimitives::legGain() const {

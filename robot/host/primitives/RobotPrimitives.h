@@ -49,8 +49,8 @@ class RobotPrimitives : public openr::System {
 
   // The latest sensor values, for GetJointValue and GetSensorValue.
   void setLatest(const RawSensors& frame) { latest_ = frame; }
-  // Drawn from the battery, mA.
-  void setBatteryCurrent(double current);
+  // Drawn from the battery, mA, and the share of a full one that is left.
+  void setBattery(double current, double charge);
   // Bits of OPowerStatus::robotStatus but for the motors', such as orsbPAUSE.
   void setRobotStatus(longword bits) { robotStatus_ = bits; }
   // Proportional gain of the leg joints over the standard one, their mean; 1 before any was set.
@@ -90,7 +90,8 @@ class RobotPrimitives : public openr::System {
   std::array<openr::GainSettings, kJointCount> gains_{};
   CameraSettings camera_;
   std::optional<RawSensors> latest_;
-  sword batteryCurrent_ = 0;  // mA
+  sword batteryCurrent_ = 0;    // mA
+  word batteryCapacity_ = 100;  // percent
   longword robotStatus_ = orsbBATTERY_CONNECTED;
   OServiceEntry powerEntry_;  // whoever observes the power
   OPowerStatus reportedPower_;

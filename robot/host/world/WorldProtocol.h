@@ -52,6 +52,7 @@ struct WorldStep {
   bool imagePresent = false;      // an image message follows; its exposure ended at `time`
   ControlPacket control;          // of the game controller; empty: none has come
   double batteryCurrent = 0.0;    // mA
+  double batteryCharge = 1.0;     // share of a full one
   RadioPackets packets;           // heard since the last step
 
   template <int = 0>
@@ -62,6 +63,7 @@ struct WorldStep {
         field("vectorsDone", &WorldStep::vectorsDone),
         field("imagePresent", &WorldStep::imagePresent), field("control", &WorldStep::control),
         field("batteryCurrent", &WorldStep::batteryCurrent, "mA", 0, 2e4),
+        field("batteryCharge", &WorldStep::batteryCharge, "", 0, 1),
         field("packets", &WorldStep::packets));
   }
 };

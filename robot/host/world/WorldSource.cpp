@@ -42,6 +42,7 @@ Expected<bool> WorldSource::readStep(WorldEvent& event) {
   time_ = event.step.time;
   if (!std::isfinite(event.step.batteryCurrent))
     return error("the battery's current is not finite");
+  if (!std::isfinite(event.step.batteryCharge)) return error("the battery's charge is not finite");
   if (!event.step.imagePresent) return true;
   const Status image = receiveMessage(connection_, MessageType::image, event.image, imageBody_);
   if (!image) return error(image.error());

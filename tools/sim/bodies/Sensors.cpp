@@ -134,6 +134,11 @@ double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,
   return params.idleCurrent + params.currentPerDuty * duty;
 }
 
+double drained(double charge, double current, double seconds, const SensorParams& params) {
+  constexpr double kHour = 3600.0;  // s
+  return std::max(0.0, charge - current * seconds / (kHour * params.capacity));
+}
+
 SensorFrame sense(const Surroundings& around, const BodyFeeling& feeling,
                   const SensorParams& params, Random& random, const NoseSensor& nose) {
   SensorFrame frame;

@@ -21,6 +21,7 @@ struct SensorParams {
   // Of physical servos, whose power goes with the square of what they give: a walk at full speed
   // draws 2200 mA [chosen: below the 2500 at which legs get strong again, facts-2005 section 2.5].
   double currentPerSquare = 280.0;
+  double capacity = 2200.0;  // mAh of a full battery, Sony's ERA-7B1
 
   template <int = 0>
   static constexpr auto fields() {
@@ -29,7 +30,8 @@ struct SensorParams {
                      field("accelerationSd", &P::accelerationSd, "cm/s2", 0, 500),
                      field("idleCurrent", &P::idleCurrent, "mA", 0, 1e4),
                      field("currentPerDuty", &P::currentPerDuty, "mA", 0, 1e4),
-                     field("currentPerSquare", &P::currentPerSquare, "mA", 0, 1e4));
+                     field("currentPerSquare", &P::currentPerSquare, "mA", 0, 1e4),
+                     field("capacity", &P::capacity, "mAh", 1, 1e5));
   }
 };
 
@@ -50,6 +52,9 @@ double chestDistance(const Surroundings& around, double noise, Random& random);
 // Drawn from the battery: a kinematic motor's current goes with its duty. Mean over the ticks, mA.
 double batteryCurrent(const std::array<SensorFrame, kTicksPerMessage>& ticks,
                       const SensorParams& params, bool physical = false);
+
+// What is left of a battery's charge, a share of a full one, after so many mA for so many seconds.
+double drained(double charge, double current, double seconds, const SensorParams& params);
 
 // Distance along a ray to the first of ground, ball, obstacle up to 30 cm high, other robot.
 double rayDistance(const Surroundings& around, FieldPoint3 from, FieldPoint3 direction);

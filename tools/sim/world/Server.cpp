@@ -105,6 +105,7 @@ void Server::prepare(Step step) {
       for (std::size_t tick = 0; tick < kTicksPerMessage; ++tick)
         out.sensors[tick] = host::rawOf(world_.sensors(i)[tick]);
       out.batteryCurrent = world_.batteryCurrent(i);
+      out.batteryCharge = world_.batteryCharge(i);
       out.vectorsDone = world_.bodies().takeVectorsDone(i);
     }
     out.packets = world_.takePackets(i);

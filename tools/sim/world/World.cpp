@@ -52,6 +52,7 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
   buildBodies(seed);
   bodies_->putBall({setup.ball, setup.ballVelocity});
   sensors_.resize(players_.size());
+  charge_.resize(players_.size(), 1.0);
   past_.remember(ticks_, *bodies_);
 }
 
@@ -85,6 +86,7 @@ void World::senseAll() {
     std::rotate(sensors_[i].begin(), sensors_[i].begin() + 1, sensors_[i].end());
     sensors_[i].back() = sense(around, bodies_->feel(i), params_.sensors, sensorRandom_[i],
                                randomised_.robots[i].nose);
+    charge_[i] = drained(charge_[i], batteryCurrent(i), kTickSeconds, params_.sensors);
   }
 }
 

@@ -100,6 +100,8 @@ class World {
   double batteryCurrent(std::size_t robot) const {
     return sim::batteryCurrent(sensors_[robot], params_.sensors, !params_.fast);
   }
+  // Share of a full battery that is left.
+  double batteryCharge(std::size_t robot) const { return charge_[robot]; }
   // The image whose exposure of 1/30 s ends at `end`; ticks() must have reached it, by at most one
   // tick.
   void render(std::size_t robot, TimeUs end, Image& image) { render(robot, past_, end, image); }
@@ -158,6 +160,7 @@ class World {
   std::unique_ptr<Bodies> bodies_;
   std::vector<std::array<SensorFrame, kTicksPerMessage>> sensors_;
   std::vector<Random> sensorRandom_;
+  std::vector<double> charge_;
   std::vector<std::unique_ptr<Eye>> eyes_;
   Referee referee_;
   Intervention interventions_;
