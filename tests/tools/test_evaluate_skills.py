@@ -84,7 +84,10 @@ def test_the_same_seed_gives_the_same_figures_on_any_number_of_cores():
 def test_a_grab_takes_twelve_frames_or_six_and_a_robot_that_may_not_grab_does_not(tmp_path):
     words = ("evaluate", "grab-dribble", "--fast", "--trials", "4", "--seed", "77")
     figures = json.loads(kelpie(*words).stdout)
-    assert figures["grabs"] > 0 and figures["kept_rate"] > 0
+    # Within 20 s a robot has the ball that lies 50 to 120 cm away, each time by a grab, and lets it
+    # go within the rules' 3 s.
+    assert figures["kept_rate"] >= 0.75 and figures["grabs"] >= figures["holds"] >= 3
+    assert figures["violations_3s"] == 0 and figures["hold_longest_s"] < 3
     # The motion lasts 0.4 s, which images, not in step with the legs, show as 11 to 13 of them; the
     # quick one half as long.
     assert figures["grab_frames"] == 0 or 11 <= figures["grab_frames"] <= 13
