@@ -7,10 +7,8 @@ import kelpie
 
 class Kelpie:
     """What Kelpie plays."""
-    # The search for the ball (thesis 2006 section 6.2.2). The turn of algorithm 6.2 so many times:
-    # from 13 starts without a ball in sight it was seen and kept in sight after 2.9 s on average,
-    # at the algorithm's 55 deg/s after 3.9.
-    SPIN_TIMES = 2.0           # times
+    # The search for the ball (thesis 2006 section 6.2.2)
+    SPIN_TIMES = 2.0           # times the turn of algorithm 6.2: the ball is in view sooner
     EXPLORES = True            # goes by what images showed: no ball there; and roams in the end
     BACKS_OFF_BRIEFLY = True   # and not from a ball that was sent away
     FORCES_LOOK = False        # where a kick sent the ball ("use force")
@@ -50,6 +48,7 @@ class Kelpie:
     # The ball, thesis 2006
     APPROACH_TURN = 2.0             # times the turn that section 6.3.3 walks at the ball with
     TURNS_TO_BALL = True            # section 6.3.3: on the spot to a ball far aside
+    LIFTS_HEAD = False              # section 6.3.5: over the ball at first, turned to it
     HURRIES_GRAB = False            # section 6.3.5: by infrared also when the motion has begun
     GRABS_BEFORE_OWN_GOAL = True    # section 5.6: a contested ball on whose way the own goal lies
     STRIKES_FROM_EDGES = True       # section 5.4: a held ball, out of the edges or the corners only
@@ -104,6 +103,7 @@ class Thesis(Kelpie):
 
     APPROACH_TURN = 1.0             # times
     TURNS_TO_BALL = False
+    LIFTS_HEAD = True
     HURRIES_GRAB = True
     GRABS_BEFORE_OWN_GOAL = False
     STRIKES_FROM_EDGES = False

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # The head's infrared as a yes or no: is something nearer than the carpet that it reads in the
 # stance with a held ball (thesis 2006 section 6.4.4)? The threshold is 0.8 of what it reads of the
-# bare carpet, and each robot's own. Keeps nothing. A robot that was not calibrated has the
-# threshold of the final of 2006.
-
-DEFAULT = 20.0     # cm, the threshold of the final of 2006 (carpet read as 25 cm)
+# bare carpet, and each robot's own. Keeps nothing. A robot that was not calibrated
+# (kelpie calibrate infrared) has the 20 cm of the final of 2006.
 
 
 def near(distance, threshold) -> bool:
@@ -14,5 +12,4 @@ def near(distance, threshold) -> bool:
 
 def somebody_near(world) -> bool:
     """Whether the head's sensor reads something nearer than the carpet."""
-    threshold = getattr(world.sensors, 'head_near_threshold', DEFAULT)
-    return near(world.sensors.head_near_distance, threshold)
+    return near(world.sensors.head_near_distance, world.sensors.head_near_threshold)

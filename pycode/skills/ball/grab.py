@@ -35,6 +35,8 @@ AFTER_TURN = 0.75  # share of AHEAD
 FRAME_S = 1.0 / 30.0  # s
 
 SEEN_S = 0.2             # s: nobody grabs a ball that it has not just seen
+GRABS = (kelpie.GRAB, kelpie.GRAB_QUICK, kelpie.GRAB_LIFT)
+MAX_PAN = 30.0           # deg; a ball between the paws is never farther aside
 IR_NEAR = 11.5           # cm of the chest's filtered infrared, which reads the carpet at 14
 HURRIES_S = 0.3          # s since it was asked for: later the motion may end before it hears of it
 FORWARD = 8.0            # cm/s that the motion ends with (actuator/data/motions/grab.toml)
@@ -152,9 +154,13 @@ class Grab(Machine):
     def grab(self, world):
         """Asks until the motion runs, then waits for its end."""
         self.grabbed = True
-        motion = kelpie.GRAB_QUICK if self.quick else kelpie.GRAB
-        running = world.motion.running in (kelpie.GRAB, kelpie.GRAB_QUICK)
+        lifts = rulebook.of(world).LIFTS_HEAD
+        motion = (kelpie.GRAB_LIFT if lifts else
+                  kelpie.GRAB_QUICK if self.quick else kelpie.GRAB)
+        running = world.motion.running in GRABS
         command = carry(forward=FORWARD)
+        if lifts:
+            command.head.head_pan_deg = clamp(world.ball.heading_deg, -MAX_PAN, MAX_PAN)
         if running:
             self.ran = True
         passed = self.since(world)
@@ -168,7 +174,8 @@ class Grab(Machine):
     def hurries(self, world) -> bool:
         """Whether the motion that runs is to go on as the quick one: once the infrared says that
         the ball is close it counts two frames in one (Alg 6.4)."""
-        return (rulebook.of(world).HURRIES_GRAB and world.motion.running == kelpie.GRAB and
+        running = world.motion.running
+        return (rulebook.of(world).HURRIES_GRAB and running in (kelpie.GRAB, kelpie.GRAB_LIFT) and
                 self.since(world) < HURRIES_S and near(self.memory.chest, IR_NEAR))
 
     def finished(self, world):

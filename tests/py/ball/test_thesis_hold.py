@@ -46,9 +46,19 @@ def grabbing(rules):
     memory = Memory()
     memory.chest = 50.0
     skill, made = Grab(memory), by(rules, world(180.0, 200.0, 90.0, (180.0, 212.0)))
-    assert skill.step(made).motion == kelpie.GRAB
-    made.time_s, made.motion.running = FRAME_S, kelpie.GRAB
+    motion = kelpie.GRAB_LIFT if rules == THESIS else kelpie.GRAB
+    assert skill.step(made).motion == motion
+    made.time_s, made.motion.running = FRAME_S, motion
     return skill, made
+
+
+@pytest.mark.parametrize('rules, degrees, pan', [
+    (THESIS, 12.0, 12.0), (THESIS, -12.0, -12.0), (THESIS, 50.0, 30.0), (KELPIE, 12.0, 0.0)])
+def test_the_head_is_turned_to_the_ball_in_a_grab(rules, degrees, pan):
+    """Section 6.3.5: by where the ball was seen last."""
+    skill, made = grabbing(rules)
+    made.ball.heading_deg = degrees
+    assert skill.step(made).head.head_pan_deg == pan
 
 
 @pytest.mark.parametrize('rules, motion', [(THESIS, kelpie.GRAB_QUICK), (KELPIE, kelpie.NO_MOTION)])

@@ -15,7 +15,7 @@ namespace kelpie::experiments {
 
 // One row of the theses' list, as thesis_rules.json has it.
 struct Rule {
-  std::string id;                  // of the checklist: A is the thesis of 2006, B that of 2004
+  std::string id;                  // is of the thesis of 2006, B-4.2 of that of 2004
   std::string rule;                // in a few words
   std::vector<std::string> steps;  // any of them
   std::string unplayed;            // why nobody plays it, of a row without steps

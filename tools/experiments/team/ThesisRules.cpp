@@ -15,7 +15,7 @@
 #include "tools/experiments/challenge/Challenge.h"
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/experiments/match/Matches.h"
+#include "tools/experiments/skills/Tries.h"
 #include "tools/experiments/team/RuleCounter.h"
 #include "tools/session/Session.h"
 #include "tools/session/Teams.h"
@@ -32,8 +32,9 @@ constexpr const char* kChallenge = "challenge";  // the scene that is no match
 // play`.
 struct Scene {
   std::string name;
-  std::string robots;               // "2v1"
-  std::vector<std::string> places;  // of all of them
+  std::string robots;                 // "2v1"
+  std::vector<std::string> places;    // of all of them
+  std::vector<std::string> standing;  // places of blue ones that stand there
   std::string ball;
   std::vector<std::string> throws;
   std::vector<std::string> carries;
@@ -44,10 +45,10 @@ struct Scene {
   template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("name", &Scene::name), field("robots", &Scene::robots),
-                     field("places", &Scene::places), field("ball", &Scene::ball),
-                     field("throws", &Scene::throws), field("carries", &Scene::carries),
-                     field("set", &Scene::set), field("keeper", &Scene::keeper),
-                     field("seconds", &Scene::seconds));
+                     field("places", &Scene::places), field("standing", &Scene::standing),
+                     field("ball", &Scene::ball), field("throws", &Scene::throws),
+                     field("carries", &Scene::carries), field("set", &Scene::set),
+                     field("keeper", &Scene::keeper), field("seconds", &Scene::seconds));
   }
 };
 
@@ -130,6 +131,11 @@ Status countScene(const Request& request, const Trial& trial, const Scene& scene
     robot.set.insert(robot.set.end(), scene.set.begin(), scene.set.end());
     if (robot.player == 1)
       robot.set.insert(robot.set.end(), scene.keeper.begin(), scene.keeper.end());
+  }
+  for (const std::string& words : scene.standing) {
+    const auto place = sim::placeFrom(words);
+    if (!place) return Error{place.error()};
+    addStanding(place->pose, *session, place->robot.player);
   }
   return countMatch(*session, counter);
 }

@@ -21,7 +21,7 @@ struct SensorParams {
   // Of physical servos, whose power goes with the square of what they give: a walk at full speed
   // draws 2200 mA [chosen: below the 2500 at which legs get strong again, facts-2005 section 2.5].
   double currentPerSquare = 280.0;
-  double capacity = 2200.0;  // mAh of a full battery, Sony's ERA-7B1
+  double capacity = 2200.0;  // mAh of a full battery [chosen]; no public source tells the ERA-7B1's
 
   template <int = 0>
   static constexpr auto fields() {
