@@ -8,8 +8,8 @@ import pytest
 from conftest import complaint, kelpie
 
 # What a robot that only stands gets, "/" between keys: nothing happens, and times are the limits of
-# the tries. The balls of `find-ball` are not found in its 12 s, those of `intercept` leave the
-# field. In `ready`, 5 s and 45 s long by the rules, the two goalies of eight walk home.
+# the tries. The balls of `find-ball` are not found in its 12 s. In `ready`, 5 s and 45 s long by
+# the rules, the two goalies of eight walk home.
 STANDING = {
     "aim": {"sight/shots_rate": 0, "sight/each": [], "pose/shots_rate": 0, "pose/each": []},
     "bird-of-prey": {"bird_of_prey/home_rate": 0, "straight/home_rate": 0, "straight/median_s": 40,
@@ -25,8 +25,8 @@ STANDING = {
                "goalie_outside_box": 0},
     "grab-dribble": {"success": 0, "kept_rate": 0, "violations_3s": 0, "violations_50cm": 0,
                      "grabs": 0, "holds": 0, "seeds_to_look_at": [77]},
-    "intercept": {"intercept/reached_rate": 0, "intercept/kept_rate": 0, "intercept/median_s": 6,
-                  "walk_at/reached_rate": 0, "walk_at/kept_rate": 0, "walk_at/median_s": 6},
+    "intercept": {"intercept/reached_rate": 0, "intercept/median_s": 6, "walk_at/reached_rate": 0,
+                  "walk_at/median_s": 6},
     "kick-choice": {"rules/goals_rate": 0, "rules/median_s": 40, "map/goals_rate": 0,
                     "map/mean_s": 40, "map/outs_a_try": 0, "map/own_goals": 0},
     "ready": {"all_at_place_share": 0, "robots_at_place_share": 2 / 8, "median_s": 50},
@@ -61,10 +61,14 @@ def test_a_robot_that_stands_achieves_nothing(name, standing):
     assert found == STANDING[name]
 
 
-def test_every_ball_of_intercept_leaves_the_field_before_a_robot_that_stands(standing):
+def test_the_faster_balls_of_intercept_leave_the_field_before_a_robot_that_stands(standing):
     figures = evaluated("intercept", "--seed", "5", "--params", standing, trials=8)
-    assert figures["intercept"] == figures["walk_at"] == {
-        "reached_rate": 0, "kept_rate": 0, "median_s": 6}
+    # Each eighth of 20 to 80 cm/s has a ball, at the line with a tenth of its way left. At 0.975 of
+    # the speed a frame and 6 cm/s2 that tenth is 3.7 cm from 42 cm/s, less than the ball's radius
+    # of 4.2, and from 58 cm/s 4.4 cm at the most slanted: three are out, three are not.
+    assert figures["intercept"] == figures["walk_at"]
+    assert 3 / 8 <= figures["intercept"]["kept_rate"] <= 5 / 8
+    assert figures["intercept"]["reached_rate"] == 0 and figures["intercept"]["median_s"] == 6
 
 
 def test_a_robot_that_plays_scores_at_an_empty_goal_and_the_figures_are_those_of_its_match():
