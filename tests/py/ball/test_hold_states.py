@@ -58,7 +58,10 @@ def test_a_goal_that_the_pose_faces_and_nobody_sees_is_turned_on_for_in_8_frames
     made, skill = turning(y, choice=KICK)
     aimed(skill, by_sight=by_sight)
     skill.over_turned, skill.turn_side = over, side
-    command = skill.turn(made)
+    skill.enter(made, skill.turn)
+    skill.turn(made)
+    assert (skill.state == skill.over_turn) is turns
+    command = skill.over_turn(made)
     assert (command is not None and command.walk.turn_deg == side * 50.0) is turns
     assert skill.over_turned == (over + 1 if turns else over)
 
@@ -157,7 +160,8 @@ def test_the_lines_are_counted_from_the_ball_8_cm_ahead_and_a_goals_mouth_is_non
 
 @pytest.mark.parametrize('x, y, heading, way', [
     (10.0, 300.0, 90.0, (0.0, -1.0)), (350.0, 300.0, 90.0, (0.0, 1.0)),
-    (180.0, 10.0, 0.0, (0.0, 1.0)), (60.0, 525.0, 90.0, (-1.0, 0.0)), (180.0, 300.0, 90.0, (0.0, 0.0)),
+    (180.0, 10.0, 0.0, (0.0, 1.0)), (60.0, 525.0, 90.0, (-1.0, 0.0)),
+    (180.0, 300.0, 90.0, (0.0, 0.0)),
     (10.0, 525.0, 90.0, (-0.7071, -0.7071)), (350.0, 10.0, 90.0, (0.7071, 0.7071))])
 def test_the_way_in_is_square_away_from_the_lines_that_are_near(x, y, heading, way):
     """Ahead and left of the robot."""
