@@ -9,6 +9,7 @@ from situation.memory import Memory
 from situations import put_ball, world
 from skills.ball.find_ball import FindBall, remembered, side_of, taken
 from skills.ball.find_together import FindTogether
+from skills.ball.lost_ball import Situation, first_step
 from skills.ball.spin_for_ball import SpinForBall
 
 
@@ -272,3 +273,16 @@ def test_a_ball_that_is_seen_again_ends_the_search_of_the_team():
     put_ball(made, 180.0, 300.0)
     skill.memory.ball_lost = 0
     assert skill.step(made) is None and not skill.active
+
+
+# What is asked of nothing
+
+def test_who_knows_nothing_but_that_the_ball_is_lost_scans():
+    """No hint, no infrared, no belief: a reading alone is that of a ball only after a near one."""
+    assert first_step(Situation())[0] == 'scan'
+    assert first_step(Situation(ir=5.0))[0] == 'scan'
+    assert first_step(Situation(ir=5.0, close_lost=0))[0] == 'infrared'
+    assert first_step(Situation(frame=0, lost=0))[0] == 'last_seen'
+    assert first_step(Situation(scanned=30))[0] == 'spin'
+    assert first_step(Situation(scanned=30, unseen=0))[0] == 'roam'
+    assert first_step(Situation(believed=True))[0] == 'scan'

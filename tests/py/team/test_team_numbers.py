@@ -2,12 +2,14 @@
 """The team's numbers: what a way, an obstacle, a paw and a lost ball cost in seconds, the order of
 algorithm 4.4, when roles change hands, and when somebody wants a place for itself."""
 import math
+from types import SimpleNamespace
 
 import kelpie
 import pytest
 from decisions.roles import Own, RoleChoice, goes_forward, should_attack, should_defend, sees
 from roles.supporter import Supporter
-from situation import time_to
+from situation import keep_off, time_to
+from situation.keep_off import Lane
 from situation.memory import Memory
 from situations import put_ball, world
 from test_roles import A, S, Me, mate
@@ -265,3 +267,52 @@ def test_it_says_what_its_head_does_but_while_it_searches_or_backs_off():
         trace.clear()
         skill.explain(trace)
         assert any(step[1] == 'active_localise' for step in trace) is tells
+
+
+@pytest.mark.parametrize('gap, before, state', [
+    (43.0, 'go_home', 'avoid_attacker'), (45.0, 'go_home', 'go_home'),
+    (45.0, 'avoid_attacker', 'avoid_attacker'), (51.0, 'avoid_attacker', 'go_home')])
+def test_the_attackers_way_is_left_from_44_cm_until_50(gap, before, state):
+    """A striker at home beside the way of an attacker up the field to the ball."""
+    made, memory = world(300.0, 350.0, 90.0, (100.0, 200.0)), Memory()
+    made.teammates = [mate(2, A, 2.0, at=(300.0 - gap, 500.0))]
+    memory.update(made)
+    skill = Supporter(memory, S)
+    skill.step(made)
+    lane = Lane(keep_off.ON_WAY, (300.0 - gap, 250.0), (300.0 - gap, 450.0), 44.0)
+    skill.enter(made, getattr(skill, before))
+    skill.now.lanes, skill.now.paw_pushes = [lane], False
+    skill.now.home, skill.now.away = (300.0, 350.0), 10.0
+    skill.choose(made, skill.now)
+    assert skill.state.__name__ == state
+
+
+@pytest.mark.parametrize('paws, keeps_out', [([False, False], True), ([True, True], False)])
+def test_the_own_box_is_kept_out_of_but_by_who_backs_off(paws, keeps_out):
+    """A defender 15 cm above the box, 5 above where it turns, whose place is in it."""
+    made, memory = world(180.0, 80.0, 90.0, (180.0, 300.0)), Memory()
+    made.motion.feeling.paw_blocked = paws
+    memory.update(made)
+    skill = Supporter(memory, D)
+    skill.home_of = SimpleNamespace(update=lambda *asked: (180.0, 20.0),
+                                    turn_deg=lambda *asked: 0.0)
+    walk = skill.step(made).walk
+    assert walk.forward == pytest.approx(-5.0 if keeps_out else -24.0)
+
+
+def test_the_search_of_the_team_is_told_only_while_it_is_played():
+    made, memory = world(300.0, 350.0, 90.0, (100.0, 200.0)), Memory()
+    memory.update(made)
+    skill = Supporter(memory, S)
+    skill.step(made)
+
+    def teller(name):
+        return SimpleNamespace(active=True, end=lambda: None,
+                               explain=lambda trace: trace.append((0, name, '', '')))
+    for state, active, told in (('find_ball', True, 'team'), ('find_ball', False, 'own'),
+                                ('go_home', True, 'own')):
+        skill.enter(made, getattr(skill, state), teller('own'))
+        skill.team_search, trace = teller('team'), []
+        skill.team_search.active = active
+        skill.explain(trace)
+        assert trace[1][1] == told
