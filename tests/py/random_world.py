@@ -260,7 +260,7 @@ def check(command):
     check_numbers([getattr(walk, name) for name in WALK])
     check_numbers([getattr(head, name) for name in HEAD])
     check_numbers([head.target.x, head.target.y, head.target.z])
-    assert walk.kind in range(7) and head.aim in range(3) and command.motion in range(22)
+    assert walk.kind in range(7) and head.aim in range(3) and command.motion in range(23)
     check_note(command.team)
     check_trace(command.trace)
 

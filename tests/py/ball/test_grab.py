@@ -2,7 +2,6 @@
 """Approach, can-grab and the grab (thesis 2006 section 6.3), the aim at gaps, the dodge, the hold's
 limits."""
 import math
-from types import SimpleNamespace
 
 import kelpie
 import pytest
@@ -222,7 +221,7 @@ def test_one_near_reading_makes_a_dodge_go_on_for_all_its_frames_again():
 def test_infrared_says_near_below_what_this_robots_sensor_was_calibrated_to(threshold, away, near):
     """Without a calibration 20 cm, as in the final of 2006."""
     made = world()
-    made.sensors = SimpleNamespace(head_near_distance=away)
+    made.sensors = kelpie.WorldSensors(head_near_distance=away)
     if threshold is not None:
         made.sensors.head_near_threshold = threshold
     assert infrared.somebody_near(made) is near
