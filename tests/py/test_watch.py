@@ -7,6 +7,7 @@ import kelpie
 import pytest
 from situation.memory import Memory
 from situations import put_ball, world
+from skills.head.track_ball import TrackBall
 from skills.head.watch import Scan, Sweep, WatchBall
 from skills.head.watch_field import WatchField, in_reach
 from skills.head.watch_play import WatchPlay
@@ -184,3 +185,15 @@ def test_a_ball_that_is_seen_again_during_a_scan_is_followed_at_once():
     memory.ball_lost = 0
     put_ball(made, 150.0, 300.0)
     assert watch.step(made, None).target.x == pytest.approx(-30.0, abs=15.0)
+
+
+@pytest.mark.parametrize('away, beside', [(27.0, False), (29.0, True)])
+def test_the_gaze_leaves_the_middle_of_a_ball_28_cm_off_for_a_landmark(away, beside):
+    """The beacon at (-15, 405) is 25 deg to the left of the way to the ball."""
+    made = world(180.0, 250.0, 76.2, (180.0, 250.0))
+    made.pose.heading_deg = math.degrees(math.atan2(155.0, -195.0)) - 25.0
+    angle = math.radians(made.pose.heading_deg)
+    put_ball(made, 180.0 + away * math.cos(angle), 250.0 + away * math.sin(angle))
+    made.percepts.ball.present = False
+    target = TrackBall().step(made).target
+    assert (abs(target.x) > 0.5) is beside and target.y > 0.0

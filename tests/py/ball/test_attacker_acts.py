@@ -219,6 +219,16 @@ def test_alone_it_searches_alone_and_with_mates_where_the_team_says():
     assert calls == [made]
 
 
+@pytest.mark.parametrize('lost, together', [(100, False), (167, True)])
+def test_an_attacker_searches_alone_for_166_frames(lost, together):
+    made, player = playing(ball_lost=lost)
+    made.ball.present = made.percepts.ball.present = False
+    made.game.player, made.teammates = 2, [kelpie.TeammateEstimate(player=3)]
+    player.enter(made, player.find, FindBall(made, player.memory))
+    player.find(made)
+    assert player.team_search.active is together
+
+
 def test_a_search_goes_on_from_where_a_watch_left_it():
     made, player = playing()
     search = player.skill_of('watch', SimpleNamespace(world=made))

@@ -146,6 +146,15 @@ def test_one_of_the_own_memory_counts_for_itself():
     assert other.memory.frame == 0
 
 
+@pytest.mark.parametrize('side', [1.0, -1.0])
+def test_a_believed_ball_that_changes_its_side_changes_that_of_the_search(side):
+    made, skill = search(turned(side * 40.0, 100.0), lost=10)
+    assert skill.side == side
+    put_ball(made, *turned(-side * 40.0, 100.0), seen=False)
+    skill.carry(made)
+    assert skill.side == -side
+
+
 # On the spot
 
 @pytest.mark.parametrize('side', [1.0, -1.0])

@@ -316,3 +316,11 @@ def test_the_search_of_the_team_is_told_only_while_it_is_played():
         skill.team_search.active = active
         skill.explain(trace)
         assert trace[1][1] == told
+
+
+@pytest.mark.parametrize('bound', [True, False])
+def test_who_may_not_be_interrupted_attacks_on_though_a_quicker_mate_says_that_it_does(bound):
+    made, memory = world(180.0, 200.0, 90.0, (180.0, 400.0)), Memory(ball_lost=0)
+    choice = RoleChoice()
+    made.teammates = [mate(2, A, 0.1, at=(180, 390)), mate(4, S, 5.0, at=(180, 100))]
+    assert (choice.update(made, memory, bound) == A) is bound
