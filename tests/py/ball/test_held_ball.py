@@ -55,8 +55,9 @@ def test_the_way_with_the_ball_is_that_of_odometry_whatever_the_robot_turns(turn
 def test_a_ball_that_is_not_felt_0_45_s_after_the_grab_has_slipped_after_10_frames(seconds, frames,
                                                                                  slipped):
     made = world()
-    hold = Hold(made, 0.0)
-    made.time_s = seconds
+    made.time_s = 20.0
+    hold = Hold(made, 19.0)
+    made.time_s += seconds
     for _ in range(frames):
         hold.update(made)
     assert hold.slipped is slipped
@@ -76,6 +77,24 @@ def test_a_turn_with_the_ball_counts_the_way_that_it_still_goes_in_0_13_s(side, 
     made = world()
     made.odometry.turn_deg = side * rate / 30.0
     assert turn_towards(made, side * off) == pytest.approx(side * turn)
+
+
+def test_a_short_frame_counts_as_0_02_s():
+    made, skill = holding()
+    made.elapsed_s, made.odometry.turn_deg = 0.001, 0.4
+    assert turn_towards(made, 20.0) == pytest.approx(4.0 * (20.0 - 0.13 * 20.0))
+    made.time_s += 0.2
+    assert not skill.still(made)
+    made.odometry.turn_deg = 0.29
+    assert skill.still(made)
+
+
+@pytest.mark.parametrize('heading, edge', [(59.0, False), (61.0, True), (-59.0, False),
+                                           (-61.0, True)])
+def test_by_the_theses_who_looks_within_60_deg_of_the_way_in_is_off_the_edge(heading, edge):
+    made, skill = holding(5.0, 300.0, heading)
+    made.task.rules = kelpie.RULES_OF_THESIS
+    assert skill.at_edge(made) is edge
 
 
 @pytest.mark.parametrize('plan, y, seconds, carries', [

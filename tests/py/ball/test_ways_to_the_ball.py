@@ -239,6 +239,11 @@ def test_it_turns_by_three_times_the_angle_and_at_120_at_most(right, turn):
     assert walk.turn_deg == pytest.approx(turn, abs=0.1)
 
 
+def test_a_ball_beside_the_robot_is_run_at_as_if_it_lay_1_cm_ahead():
+    walk = PawKick().step(world(180.0, 30.0, 90.0, (185.5, 27.0)))
+    assert walk.turn_deg == pytest.approx(3.0 * math.degrees(math.atan2(-0.5, 1.0)))
+
+
 # Up to the place of a kick without a grab
 
 def kicking(which=kelpie.UPENN_LEFT, off_ahead=0.0, off_left=0.0, seconds=0.0):

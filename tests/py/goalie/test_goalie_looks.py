@@ -92,6 +92,12 @@ def test_it_says_which_point_it_looks_at(seconds, said):
     assert (trace[0][2], trace[0][4]) == said
 
 
+def test_before_its_first_frame_it_is_at_the_first_beacon():
+    trace = []
+    PointScan(world_at()).explain(trace)
+    assert (trace[0][2], trace[0][4]) == ('beacon', 1)
+
+
 # Glances and surveys
 
 def tracking(seconds=10.0, away=150.0, sd=3.0, head=GoalieHead):
@@ -134,6 +140,15 @@ def test_a_glance_needs_0_7_s_of_tracking_a_ball_that_comes_slower_than_15_cm_a_
     eyes.glanced_s, made.ball.velocity.y = -10.0, speed
     eyes.step(made, True)
     assert (eyes.state == eyes.localise) is glances
+
+
+def test_glances_are_counted_and_told():
+    eyes, made = tracking()
+    for count in (1, 2):
+        eyes.enter(made, eyes.track)
+        made.time_s += 10.0
+        eyes.step(made, True)
+        assert eyes.glances == count and eyes.numbers[0] == count
 
 
 @pytest.mark.parametrize('free', [True, False])

@@ -278,3 +278,37 @@ def test_the_first_version_runs_at_the_ball_with_a_paw_and_needs_no_stand(paw):
     assert goalie.can_attack(made, False) is paw
     assert type(goalie.skill_of('attack', goalie)).__name__ == ('PawKick' if paw else 'AttackBall')
     assert goalie.skill_of('guard', goalie).laziness.lazy == 15.0
+
+
+@pytest.mark.parametrize('goes_on', [True, False])
+def test_the_stand_of_an_attack_that_goes_on_is_kept(goes_on):
+    made = scene(180 + 60j, at=180 + 20j).world
+    goalie = EllipseGoalie()
+    goalie.world = made
+    goalie.can_attack(made, False)
+    before = goalie.stands
+    made.time_s += 0.1
+    goalie.can_attack(made, goes_on)
+    assert (goalie.stands is before) is goes_on
+
+
+@pytest.mark.parametrize('state, free', [('guard', True), ('attack', False)])
+def test_only_who_guards_lets_the_head_off_the_ball(state, free):
+    made, goalie = playing()
+    asked = []
+    goalie.eyes.step = lambda one, may: asked.append(may) or kelpie.HeadRequest()
+    goalie.now.world = made
+    goalie.now.asked = {'stand': Stand()}
+    goalie.enter(made, getattr(goalie, state),
+                 AttackBall() if state == 'attack' else goalie.skill_of('guard', goalie.now))
+    getattr(goalie, state)(made)
+    assert asked == [free]
+
+
+def test_without_a_ball_that_comes_it_stays_where_it_is():
+    made, goalie = playing(180 + 120j)
+    made.ball.velocity = kelpie.Point2(x=0.0, y=0.0)
+    goalie.now.world = made
+    goalie.enter(made, goalie.adjust, goalie.skill_of('adjust', goalie.now))
+    walk = goalie.adjust(made).walk
+    assert (walk.forward, walk.left) == (0.0, 0.0) and goalie.skill.off == pytest.approx(0.0)

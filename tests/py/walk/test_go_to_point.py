@@ -64,3 +64,21 @@ def test_it_is_there_when_it_has_stood_for_0_8_s(seconds, done):
     made.time_s += seconds
     skill.step(made)
     assert skill.done is done
+
+
+@pytest.mark.parametrize('away, reached', [(5.9, True), (6.1, False)])
+def test_a_place_before_the_point_is_reached_within_6_cm(away, reached):
+    made, skill = world(180.0, 280.0 - away), GoToPoint(POINT, 3.0, (180.0, 280.0))
+    skill.turning = False
+    walk = skill.walk_there(made)
+    assert (skill.first is None) is reached is skill.turning
+    assert (walk.forward == 0.0) is reached
+
+
+@pytest.mark.parametrize('below, heading, branch', [(2.0, 90.0, 'stand'), (100.0, 60.0, 'turn'),
+                                                    (100.0, 90.0, 'walk')])
+def test_it_tells_whether_it_stands_turns_or_walks(below, heading, branch):
+    _, skill = walking(below, heading)
+    trace = []
+    skill.explain(trace)
+    assert trace[0][2:] == (branch, 'the point is ({}, {})', 180.0, 300.0)
