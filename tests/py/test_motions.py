@@ -3,6 +3,7 @@
 end; and which motion gets a fallen robot up."""
 import kelpie
 import pytest
+from players.forward import Forward
 from situations import world
 from skills.motion.get_up import GetUp
 from skills.motion.kick import Kick
@@ -73,3 +74,20 @@ def test_who_stands_need_not_get_up(running):
     made = world()
     made.motion.running = running
     assert not GetUp.needed(made)
+
+
+@pytest.mark.parametrize('state, penalised, fallen, does', [
+    (kelpie.PLAYING, False, False, 'plays'), (kelpie.PLAYING, False, True, 'gets_up'),
+    (kelpie.PLAYING, True, False, 'waits'), (kelpie.PLAYING, True, True, 'waits'),
+    (kelpie.READY, False, False, 'takes_place'), (kelpie.READY, False, True, 'gets_up'),
+    (kelpie.READY, True, False, 'waits'), (kelpie.SET, False, False, 'takes_place'),
+    (kelpie.SET, False, True, 'takes_place'), (kelpie.INITIAL, False, False, 'waits'),
+    (kelpie.INITIAL, False, True, 'waits'), (kelpie.FINISHED, False, False, 'waits')])
+def test_a_forward_waits_gets_up_takes_its_place_or_plays_as_the_game_stands(state, penalised,
+                                                                            fallen, does):
+    made, forward = world(), Forward()
+    made.game.state, made.game.penalised = state, penalised
+    made.motion.feeling.fallen = kelpie.ON_LEFT if fallen else kelpie.NOT_FALLEN
+    command = forward.step(made)
+    assert forward.playing == does
+    assert command.motion == (kelpie.GET_UP_LEFT if does == 'gets_up' else kelpie.NO_MOTION)

@@ -2,6 +2,7 @@
 """The walks of who plays a ball without a grab: to it, around it, the last steps, and through it.
 Speeds in cm/s and deg/s, places in cm to the right and ahead of the neck."""
 import math
+from types import SimpleNamespace
 
 import kelpie
 import pytest
@@ -149,7 +150,8 @@ def test_a_kick_hits_from_12_4_to_15_4_cm_ahead_1_8_aside_and_14_deg_off_the_goa
 
 @pytest.mark.parametrize('right, ahead, unseen_s, aim, lost', [
     (0.0, 20.0, 0.0, 0.0, False), (0.0, 44.9, 0.0, 0.0, False), (0.0, 45.1, 0.0, 0.0, True),
-    (0.0, -0.1, 0.0, 0.0, True), (8.9, 20.0, 0.0, 0.0, False), (9.1, 20.0, 0.0, 0.0, True),
+    (0.0, -0.1, 0.0, 0.0, True), (0.0, 0.5, 0.0, 0.0, False), (8.9, 20.0, 0.0, 0.0, False),
+    (9.1, 20.0, 0.0, 0.0, True),
     (-9.1, 20.0, 0.0, 0.0, True), (0.0, 20.0, 1.4, 0.0, False), (0.0, 20.0, 1.6, 0.0, True),
     (0.0, 20.0, 0.0, 27.5, False), (0.0, 20.0, 0.0, 28.5, True), (0.0, 20.0, 0.0, -28.5, True)])
 def test_small_steps_end_for_a_ball_behind_aside_or_unseen_and_28_deg_off_the_goal(
@@ -308,3 +310,11 @@ def test_a_kick_leaves_the_hint_of_its_own_file(which):
     for _ in range(3):
         skill.step(made)
     assert skill.done and skill.hint == kelpie.KICKS[which].hint
+
+
+def test_a_kick_without_a_hint_sends_the_ball_50_cm_ahead():
+    skill, made = KickBall(Memory(), kelpie.KICK_FORWARD), ball_at(0.0, 12.0)
+    assert kelpie.KICKS[kelpie.KICK_FORWARD].hint is None
+    skill.enter(made, skill.kick, SimpleNamespace(step=lambda one: kelpie.NO_MOTION, done=True))
+    skill.kick(made)
+    assert skill.hint == (50.0, 0.0)
