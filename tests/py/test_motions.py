@@ -91,3 +91,10 @@ def test_a_forward_waits_gets_up_takes_its_place_or_plays_as_the_game_stands(sta
     command = forward.step(made)
     assert forward.playing == does
     assert command.motion == (kelpie.GET_UP_LEFT if does == 'gets_up' else kelpie.NO_MOTION)
+
+
+def test_a_forward_tells_its_mates_the_place_that_it_goes_to():
+    made, forward = world(180.0, 200.0, 90.0, (140.0, 300.0)), Forward()
+    made.game.state = kelpie.PLAYING
+    note = forward.step(made).team
+    assert note.wants and (note.wanted.x, note.wanted.y) == (140.0, 300.0)

@@ -127,6 +127,15 @@ def test_a_grab_may_take_0_5_s_to_begin_and_2_in_all(ran, seconds, over):
     assert over or command.motion == (kelpie.NO_MOTION if ran else kelpie.GRAB)
 
 
+@pytest.mark.parametrize('rules, motion, pan', [
+    (kelpie.RULES_OF_KELPIE, kelpie.GRAB, 0.0), (kelpie.RULES_OF_THESIS, kelpie.GRAB_LIFT, 5.0)])
+def test_by_the_theses_a_grab_lifts_the_head_and_turns_it_to_the_ball(rules, motion, pan):
+    made, skill, _ = grabbing()
+    made.task.rules, made.ball.heading_deg = rules, 5.0
+    command = skill.grab(made)
+    assert (command.motion, command.head.head_pan_deg) == (motion, pan)
+
+
 # Lined up in place of a grab
 
 def lining_up(state, away=20.0, seconds=0.0, seen_ago=0.1, looked_ago=1.0, unseen=0.0, right=0.0):

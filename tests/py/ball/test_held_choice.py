@@ -8,6 +8,7 @@ import pytest
 from decisions import held_choice, passing
 from decisions.held_choice import HeldChoice
 from decisions.kick_choice import RELEASE
+from lib import kick_table
 from situation.memory import Memory
 from situations import world
 
@@ -99,3 +100,27 @@ def test_before_a_goal_that_is_seen_it_is_kicked_hard_into_the_gap_or_within_15_
                               should_carry=lambda one: False)
     choice = HeldChoice(known, SimpleNamespace(now=False))
     assert choice.choose(made, dribble, False)[0] == kick
+
+
+@pytest.mark.parametrize('chosen, motion', [('pass_left', kelpie.UPENN_LEFT),
+                                            ('pass_right', kelpie.UPENN_RIGHT),
+                                            (kelpie.WEDGE, kelpie.WEDGE)])
+def test_a_pass_across_is_a_upenn_kick_to_that_side_for_the_same_reason(chosen, motion):
+    assert held_choice.as_motion((chosen, 'why {}', 3.0)) == (motion, 'why {}', 3.0)
+
+
+@pytest.mark.parametrize('kick', [kelpie.UPENN_LEFT, kelpie.UPENN_RIGHT, kelpie.WEDGE])
+def test_the_way_of_a_kick_is_that_from_the_hold(kick):
+    assert held_choice.way_of(kick) == kick_table.held_outcome(kick)[1]
+
+
+@pytest.mark.parametrize('mates, passing_on, passes', [(1, True, True), (0, True, False),
+                                                       (1, False, False)])
+def test_a_pass_is_thought_of_with_mates_where_that_is_on(mates, passing_on, passes):
+    made, choice = world(), HeldChoice(Memory(), SimpleNamespace(now=False))
+    made.task.passing, made.teammates = passing_on, [kelpie.TeammateEstimate()] * mates
+    choice.pass_on = lambda one, two: ('a pass',)
+    choice.alone = lambda one, two, three: ('alone',)
+    choice.pass_to = 4
+    assert choice.by_pose(made, None, False) == (('a pass',) if passes else ('alone',))
+    assert choice.pass_to == (4 if passes else 0)

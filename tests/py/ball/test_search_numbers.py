@@ -136,6 +136,23 @@ def test_a_spin_is_twice_as_fast_unless_nothing_else_is_done(only, turn):
     assert skill.spin(made).walk.turn_deg == pytest.approx(turn)
 
 
+@pytest.mark.parametrize('only, pan', [(False, 60.0), (True, 45.0)])
+def test_the_head_goes_on_to_what_was_not_looked_at_unless_nothing_but_a_spin_is_done(only, pan):
+    made, skill = search(lost=100)
+    made.ball.present = False
+    made.task.search = kelpie.SEARCH_BY_SPIN if only else kelpie.SEARCH_BY_CHAIN
+    skill.explored.next_unseen = lambda side: 60.0
+    assert skill.spin(made).head.head_pan_deg == pytest.approx(pan)
+
+
+def test_a_look_that_is_forced_to_no_place_is_none():
+    for present, until in ((True, 99), (False, -1)):
+        made, skill = search()
+        made.ball.present = present
+        skill.force(None, 99)
+        assert skill.situation(made).force_until == until
+
+
 def test_one_of_the_own_memory_counts_for_itself():
     made, _ = search()
     skill = FindBall(made)

@@ -252,3 +252,15 @@ def test_all_ways_are_valued_at_first_then_one_in_every_second_frame():
         choice.update(made, found)
         renewed += [way for way in ways if choice.utilities[way] != 9.0]
     assert sorted(renewed) == sorted(ways)
+
+
+@pytest.mark.parametrize('bearing', [30.0, -40.0])
+def test_a_free_kick_is_valued_for_the_way_to_the_ball(monkeypatch, bearing):
+    ways = []
+    monkeypatch.setattr(leaf_by_map, 'utility_of_way',
+                        lambda one, ball, way, outcome: ways.append(way) or 0.5)
+    made = world(180.0, 240.0, 70.0, (180.0, 270.0))
+    found = Situation(made, False, False)
+    found.ball_bearing = bearing
+    LeafByMap().update(made, found)
+    assert ways.count(pytest.approx(70.0 + bearing)) == len(leaf_by_map.FREE)

@@ -312,3 +312,28 @@ def test_without_a_ball_that_comes_it_stays_where_it_is():
     goalie.enter(made, goalie.adjust, goalie.skill_of('adjust', goalie.now))
     walk = goalie.adjust(made).walk
     assert (walk.forward, walk.left) == (0.0, 0.0) and goalie.skill.off == pytest.approx(0.0)
+
+
+@pytest.mark.parametrize('over, expected', [(True, [(170.0, 130.0)]), (False, [])])
+def test_where_the_ball_is_expected_is_looked_at_once_the_clearance_is_over(over, expected):
+    made, goalie = playing()
+    looked = []
+    goalie.eyes.expect = lambda one, point: looked.append(point)
+    goalie.expected = (170.0, 130.0)
+    goalie.enter(made, goalie.clear, SimpleNamespace(step=lambda one: kelpie.NO_MOTION, done=over))
+    goalie.clear(made)
+    assert looked == expected
+
+
+@pytest.mark.parametrize('rules, y', [(kelpie.RULES_OF_KELPIE, 15.0),
+                                      (kelpie.RULES_OF_THESIS, 20.0)])
+def test_before_a_near_ball_it_drops_back_and_by_the_theses_it_does_not(rules, y):
+    """A ball 30 cm from the line is guarded against from half as far."""
+    made, goalie = playing(180 + 30j)
+    made.task.rules, made.ball.seconds_since_seen = rules, 0.0
+    places = []
+    goalie.now.world, goalie.now.reported = made, (180.0, 30.0)
+    goalie.enter(made, goalie.guard, SimpleNamespace(
+        step=lambda one, place: places.append(place) or kelpie.WalkRequest()))
+    goalie.guard(made)
+    assert places[0][1] == pytest.approx(y)
