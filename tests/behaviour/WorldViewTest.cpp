@@ -75,19 +75,20 @@ TEST(WorldView, TheShippedQuestionsToTheObstacleMapAreAnswered) {
     std::filesystem::copy(KELPIE_SOURCE_DIR "/pycode/" + folder, scripts.path() + "/" + folder);
   scripts.write("main.py",
                 "import kelpie\nfrom situation import obstacles\n\ndef decide(world):\n"
-                "    points = obstacles.points_of(world, heard=False)\n"
+                "    points = obstacles.points_near(world, world.pose.position, 100.0)\n"
                 "    return kelpie.Command(walk=kelpie.WalkRequest(\n"
-                "        forward=obstacles.between(points, (100, 200), (100, 400)),\n"
-                "        left=obstacles.in_sector(points, world.pose, 90.0, 30.0, far=100.0)))\n");
+                "        forward=len(points),\n"
+                "        left=obstacles.in_box(points, world.pose, -20.0, 20.0, 10.0, 50.0)))\n");
   HostRun run(scripts);
   run.field = *body::fieldDescription("2006");
   run.world.pose = {{180, 300}, Angle::deg(90)};
-  run.world.obstacles.push_back({{105, 305}, 4.0, 2.0});
+  run.world.obstacles.push_back({{185, 335}, 4.0, 2.0});
+  run.world.obstacles.push_back({{145, 335}, 8.0, 0.0});
   run.world.obstacles.push_back({{305, 305}, 8.0, 0.0});
   const Command command = run.step();
   EXPECT_EQ(command.fallback, Fallback::none) << run.state.lastError();
-  EXPECT_EQ(command.walk.forward, 4.0);
-  EXPECT_EQ(command.walk.left, 4.0);
+  EXPECT_EQ(command.walk.forward, 2.0);  // points within 100 cm
+  EXPECT_EQ(command.walk.left, 6.0);     // seen by itself and by mates, ahead
 }
 
 TEST(WorldView, NothingCanBeWritten) {

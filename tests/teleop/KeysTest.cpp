@@ -16,7 +16,7 @@ TEST(TeleopKeys, NoKeyMeansTwoThings) {
       EXPECT_EQ(keyOf(std::string(1, key)), key);
       seen.insert(key);
     }
-  EXPECT_EQ(seen.size(), 31U);
+  EXPECT_EQ(seen.size(), 32U);
 }
 
 TEST(TeleopKeys, ArrowsAndSpaceHaveWords) {

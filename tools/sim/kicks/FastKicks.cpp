@@ -28,7 +28,7 @@ constexpr double kSure = 1.2;      // cm from the kick's place at which its figu
 constexpr double kOff = 4.0;       // and at which nothing is left of it
 
 bool headDown(const JointAngles& target) {
-  constexpr double kNeck = -45.0;  // deg
+  constexpr double kNeck = -38.0;  // deg; the grab that lifts the head holds the ball at -40
   constexpr double kNod = 30.0;
   return target[Joint::neckTilt].deg() < kNeck && target[Joint::headNod].deg() > kNod;
 }
