@@ -268,6 +268,18 @@ def test_an_image_shows_a_ball_16_to_220_cm_off_within_17_deg_of_its_axis_behind
     assert shown(made, 0.0, away) is seen
 
 
+@pytest.mark.parametrize('robot, seen', [(20.0, False), (-20.0, True), (34.0, False), (36.0, True),
+                                         (6.0, False), (4.0, True)])
+@pytest.mark.parametrize('side', [1.0, -1.0])
+def test_a_robot_hides_a_ball_within_15_deg_of_its_direction(robot, seen, side):
+    """The ball is 60 cm away, 20 deg to a side, where the head looks."""
+    made = world()
+    made.head.head_pan_deg, made.head.head_nod_deg = side * 20.0, -3.0
+    made.percepts.robots = [kelpie.RobotPercept(heading_deg=side * robot, distance=40.0)]
+    angle = math.radians(side * 20.0)
+    assert shown(made, -60.0 * math.sin(angle), 60.0 * math.cos(angle)) is seen
+
+
 @pytest.mark.parametrize('missed, refuted', [(4, False), (5, True)])
 def test_five_images_without_a_ball_refute_a_place_until_it_is_seen(missed, refuted):
     made, doubt = world(), Doubt()
