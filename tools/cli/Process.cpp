@@ -198,6 +198,15 @@ std::string programFolder() {
   return whole.substr(0, whole.rfind('/'));
 }
 
+std::string becomeProgram(std::vector<std::string> words) {
+  std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
+  for (auto& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  execv(argv[0], argv.data());
+  return words[0] + ": " + std::strerror(errno);
+}
+
 void useTargetMaths(char** argv) {
   const char* now = std::getenv("GLIBC_TUNABLES");
   if (now != nullptr && std::strcmp(now, kTunables) == 0) return;

@@ -56,6 +56,9 @@ bool interrupted();
 // Folder of the running program, where its sister programs are.
 std::string programFolder();
 
+// Goes on as another program; words[0] is its path. Returns only when that cannot be: why.
+std::string becomeProgram(std::vector<std::string> words);
+
 // Starts the program again with a C library whose double functions (and so Python's math) give the
 // same bits as the target's, unless that is already so: glibc's FMA variants differ in the last bit
 // from its plain ones (spec cross.md section 7). Returns only when nothing had to be done.

@@ -2,8 +2,6 @@
 // `kelpie evaluate` becomes the program kelpie-experiments, which has the options and the figures.
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -20,12 +18,7 @@ int becomeExperiments(std::vector<std::string> words) {
     return fail("the experiments are not built yet: tools/build host kelpie-experiments",
                 kExitBadInput);
   words.insert(words.begin(), program);
-  std::vector<char*> argv;
-  argv.reserve(words.size() + 1);
-  for (auto& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  execv(program.c_str(), argv.data());
-  return fail(program + ": " + std::strerror(errno), kExitBadInput);
+  return fail(becomeProgram(std::move(words)), kExitBadInput);
 }
 
 }  // namespace

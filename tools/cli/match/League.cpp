@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// kelpie league: many matches between the folders of several teams, and who plays better.
+// kelpie league: many matches between the folders of several teams, and who plays better. What
+// plays until that is decided, on one machine or many, is the farm (tools/farm), which asks here
+// for single matches.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,17 +11,21 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <thread>
+#include <tuple>
 
 #include "robot/core/Checksum.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/Version.h"
+#include "tools/cli/match/Farm.h"
 #include "tools/cli/options/Config.h"
 #include "tools/cli/options/RandomisationOptions.h"
+#include "tools/league/JournalLines.h"
 #include "tools/league/Run.h"
 #include "tools/league/Table.h"
 #include "tools/session/Session.h"
@@ -38,6 +44,10 @@ struct LeagueOptions {
   int workers = 0;  // 0: one for two cores
   bool physical = false;
   bool table = false;
+  bool once = false;
+  bool about = false;
+  std::string until;
+  std::string by, bounds, scheduler;  // of `until`
 };
 
 using Folders = std::map<std::string, std::string>;  // of each side
@@ -203,6 +213,51 @@ int playLeague(LeagueOptions& options) {
   return shown;
 }
 
+// For the farm: what a match between two teams depends on, whichever of them is red, and one match.
+// JSON on standard output; a match that was not played out is a failure with its trouble.
+int playOnce(LeagueOptions options) {
+  if (options.folders.size() != 2) return fail("one match has two teams", kExitBadInput);
+  const std::string red = nameOf(options.folders[0]);
+  const std::string blue = nameOf(options.folders[1]);
+  std::sort(options.folders.begin(), options.folders.end(),
+            [](const auto& a, const auto& b) { return nameOf(a) < nameOf(b); });
+  Folders folders;
+  const Status sides = readSides(options, folders);
+  if (!sides) return fail(sides.error(), kExitBadInput);
+  nlohmann::ordered_json answer{{"about", options.plan.about}};
+  if (options.once) {
+    catchInterrupts();
+    Complaints complaints;
+    const league::LeagueMatch match{red, blue, options.plan.seed, options.plan.minutes,
+                                    !options.physical};
+    const auto result = playMatch(match, options.robots, folders, complaints);
+    if (!result.trouble.empty())
+      return fail(result.trouble, interrupted() ? kExitInterrupted : kExitMachine);
+    answer.update(nlohmann::ordered_json::parse(league::matchLine(0, match, result)));
+  }
+  fmt::print("{}\n", answer.dump());
+  return kExitDone;
+}
+
+// The same teams and matches, as words for the farm.
+int playUntilDecided(const LeagueOptions& options, const CommandLine& command) {
+  std::vector<std::string> words{"play"};
+  words.insert(words.end(), options.folders.begin(), options.folders.end());
+  const auto pass = [&](const std::string& option, const std::string& value) {
+    if (command.count(option) > 0) words.insert(words.end(), {option, value});
+  };
+  pass("--minutes", fmt::format("{}", options.plan.minutes));
+  pass("--seed", fmt::format("{}", options.plan.seed));
+  pass("--robots", options.robots);
+  pass("--workers", fmt::format("{}", options.workers));
+  pass("--out", options.out);
+  pass("--by", options.by);
+  pass("--bounds", options.bounds);
+  pass("--scheduler", options.scheduler);
+  if (options.physical) words.emplace_back("--physical");
+  return becomeFarm(std::move(words));
+}
+
 void addOptions(CommandLine& command, LeagueOptions& options) {
   league::LeaguePlan& plan = options.plan;
   plan.matchesAPair = 20;
@@ -230,6 +285,22 @@ void addOptions(CommandLine& command, LeagueOptions& options) {
   command.flag("--physical,!--fast", options.physical,
                "Bodies with masses and servos, or kinematic ones (the default)");
   command.flag("--table", options.table, "Plays nothing: shows what the league has come to");
+  auto until =
+      command.option("--until", options.until, "Plays two teams until it is known which is better")
+          .check(oneOf({"decided"}))
+          .excludes("--matches")
+          .excludes("--against")
+          .excludes("--table");
+  for (const auto& [name, value, help] :
+       {std::tuple{"--by", &options.by, "What decides: score, goals or value (score)"},
+        std::tuple{"--bounds", &options.bounds, "LOW,HIGH: the two means to decide between"},
+        std::tuple{"--scheduler", &options.scheduler,
+                   "tcp://HOST:PORT of other machines' workers"}})
+    command.option(name, *value, help).needs(until);
+  command.flag("--once", options.once, "One match of two teams, the first red, as JSON")
+      .excludes("--until");
+  command.flag("--about", options.about, "Plays nothing: what a match depends on, as JSON")
+      .excludes("--until");
 }
 
 }  // namespace
@@ -241,11 +312,16 @@ void addLeague(CommandLine& app, int& code) {
   auto options = std::make_shared<LeagueOptions>();
   addOptions(command, *options);
   command.callback([=, &code] {
-    if (!options->table && options->folders.size() < 2) {
+    if (!options->table && options->folders.size() < 2)
       code = fail("a league needs two teams at least", kExitBadInput);
-      return;
-    }
-    code = options->table ? showOnly(*options) : playLeague(*options);
+    else if (options->table)
+      code = showOnly(*options);
+    else if (options->once || options->about)
+      code = playOnce(*options);
+    else if (!options->until.empty())
+      code = playUntilDecided(*options, command);
+    else
+      code = playLeague(*options);
   });
 }
 

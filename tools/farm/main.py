@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: Apache-2.0
+"""kelpie farm: matches of two teams on many machines until it is known which plays better. Here are
+the words of its commands, and what each of them calls."""
+
+import argparse
+import json
+import os
+import signal
+import sqlite3
+import sys
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.dont_write_bytecode = True
+
+from farm import words  # noqa: E402
+from farm.children import Children, scheduler_words, worker_words  # noqa: E402
+from farm.cluster import Cluster, check_address, need_dask, own_cluster  # noqa: E402
+from farm.plan import GOALS, SCORE, VALUE, Judged, Plan, checked_bounds, plan_of  # noqa: E402
+from farm.run import Run  # noqa: E402
+from farm.scaling import scaling  # noqa: E402
+from farm.store import RED, Store, is_locked  # noqa: E402
+from farm.trust import stored_matches, trust  # noqa: E402
+from farm.work import Trouble, about, portable  # noqa: E402
+
+DONE, UNDECIDED, WRONG_USE, MACHINE, INTERRUPTED = 0, 1, 2, 3, 130
+FILE = 'farm.sqlite'
+PORT = 8786                # Dask's own
+
+
+class Parser(argparse.ArgumentParser):
+    """A mistake is one line."""
+
+    def error(self, message):
+        raise Trouble(f'{message} (kelpie farm --help)')
+
+
+class Stop:
+    """Remembers that somebody asked to stop."""
+
+    def __init__(self):
+        self.asked = False
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, self._ask)
+
+    def _ask(self, *_):
+        self.asked = True
+
+    def __call__(self):
+        return self.asked
+
+
+def say(line):
+    print(line, file=sys.stderr, flush=True)
+
+
+def whole(low, high):
+    def number(text):
+        value = int(text)
+        if not low <= value <= high:
+            raise argparse.ArgumentTypeError(f'{text}: from {low} to {high}')
+        return value
+    return number
+
+
+def figure(low, high):
+    def number(text):
+        value = float(text)
+        if not low <= value <= high:
+            raise argparse.ArgumentTypeError(f'{text}: from {low:g} to {high:g}')
+        return value
+    return number
+
+
+def workers_here():
+    """A match wants two cores."""
+    return max(1, len(os.sched_getaffinity(0)) // 2)
+
+
+def asked_plan(options):
+    for folder in options.team:
+        if not Path(folder).is_dir():
+            raise Trouble(f'{folder}: no such folder')
+    low, high = checked_bounds(options.by, options.bounds)
+    plan = Plan(*map(portable, options.team), options.seed, options.minutes, options.robots,
+                options.physical, options.by, low, high)
+    if plan.names[0] == plan.names[1]:
+        raise Trouble(f"both teams are called '{plan.names[0]}'")
+    return plan._replace(about=about(plan.match(options.seed, RED)))
+
+
+def play(options):
+    plan = asked_plan(options)
+    folder = Path(options.out)
+    store = Store(folder / FILE, writes=True)
+    store.begin(plan.id, plan._asdict())
+    if options.again:
+        store.forget_voids(plan.id)
+    stop = Stop()
+    cluster = (Cluster(options.scheduler) if options.scheduler
+               else own_cluster(options.workers, folder))
+    say(f'test {plan.id}: {words.question(plan)}')
+    run = Run(plan, store, cluster, options.most, say, stop)
+    try:
+        decided = run.until_decided(lambda judged: say(words.running(judged)))
+    finally:
+        cluster.close()
+    print(words.decision(run.judged))
+    for line in words.voids(run.results):
+        print(line)
+    if stop():
+        say('kelpie: stopped; the same command goes on')
+        return INTERRUPTED
+    return DONE if decided else UNDECIDED
+
+
+def status(options):
+    path = Path(options.out) / FILE
+    store = Store(path)
+    print('a farm plays' if is_locked(path) else 'no farm plays now')
+    for test, stored, _ in store.tests():
+        plan = plan_of(stored)
+        results = store.results(test)
+        judged = Judged(plan)
+        judged.take(results)
+        print('\n'.join(words.status(judged, results, store.times(test), time.time())))
+    return DONE
+
+
+def serve(options, commands):
+    """Keeps processes alive until somebody stops it."""
+    need_dask()
+    folder = Path(options.out)
+    folder.mkdir(parents=True, exist_ok=True)
+    stop = Stop()
+    children = Children(folder / 'cluster.log', commands)
+    try:
+        while not stop():
+            children.keep_alive()
+            time.sleep(0.5)
+    finally:
+        children.end()
+    return DONE
+
+
+def scheduler(options):
+    say(f'workers and farms of this network: tcp://{options.host}:{options.port}')
+    return serve(options, [scheduler_words(options.host, options.port)])
+
+
+def worker(options):
+    check_address(options.scheduler)
+    folder = Path(options.out)
+    return serve(options, [worker_words(options.scheduler, options.host, folder / f'worker-{i}')
+                           for i in range(options.workers)])
+
+
+def show_trust(options):
+    low, high = checked_bounds(options.by, options.bounds)
+    matches = stored_matches(options.results)
+    print(json.dumps(trust(matches, options.by, low, high, options.runs, options.seed), indent=1))
+    return DONE
+
+
+def show_scaling(options):
+    for workers in options.workers:
+        print(json.dumps(scaling(workers, options.seconds)), flush=True)
+    return DONE
+
+
+def add_play(commands):
+    command = commands.add_parser('play', help='plays two teams until it is known which is better')
+    command.set_defaults(run=play)
+    command.add_argument('team', nargs=2, help='folders of two teams; the test is of the first')
+    command.add_argument('--by', choices=(SCORE, GOALS, VALUE), default=SCORE,
+                         help='points of a match, goals, or the value of its result')
+    command.add_argument('--bounds', default='', metavar='LOW,HIGH',
+                         help='the two means to decide between (score 0.5,0.55; goals 0,0.25)')
+    command.add_argument('--minutes', type=figure(0.1, 60.0), default=10.0)
+    command.add_argument('--seed', type=whole(0, 9000000000000000), default=1)
+    command.add_argument('--robots', default='4v4')
+    command.add_argument('--physical', action='store_true', help='bodies with masses')
+    command.add_argument('--most', type=whole(1, 1000000), default=2000, metavar='PAIRS',
+                         help='gives up after so many (2000)')
+    command.add_argument('--again', action='store_true', help='plays void matches once more')
+    add_workers(command)
+    command.add_argument('--scheduler', default='', metavar='tcp://HOST:PORT',
+                         help='plays on the workers of that one, and not by itself')
+
+
+def add_workers(command):
+    command.add_argument('--workers', type=whole(1, 256), default=workers_here(),
+                         help='matches at a time here (one for two cores)')
+
+
+def add_cluster(commands):
+    command = commands.add_parser('scheduler', help='what workers and farms of machines meet at')
+    command.set_defaults(run=scheduler)
+    command.add_argument('--host', default='127.0.0.1', help='address to listen at (127.0.0.1)')
+    command.add_argument('--port', type=whole(1, 65535), default=PORT)
+    command = commands.add_parser('worker', help='plays matches for a scheduler')
+    command.set_defaults(run=worker)
+    command.add_argument('scheduler', metavar='tcp://HOST:PORT')
+    command.add_argument('--host', default='', help='address of this machine in the network')
+    add_workers(command)
+
+
+def add_figures(commands):
+    command = commands.add_parser('trust', help='how often the test errs, by stored matches')
+    command.set_defaults(run=show_trust)
+    command.add_argument('results', help='a farm.sqlite, or the league.jsonl of two teams')
+    command.add_argument('--by', choices=(SCORE, GOALS), default=SCORE)
+    command.add_argument('--bounds', default='', metavar='LOW,HIGH')
+    command.add_argument('--runs', type=whole(1, 100000), default=200)
+    command.add_argument('--seed', type=int, default=1)
+    command = commands.add_parser('scaling', help='what the farm costs with many workers')
+    command.set_defaults(run=show_scaling)
+    command.add_argument('workers', nargs='+', type=whole(1, 5000))
+    command.add_argument('--seconds', type=figure(0.01, 3600.0), default=30.0, help='of a match')
+
+
+def parser():
+    made = Parser(prog='kelpie farm', description=__doc__.split('. ')[0] + '.')
+    commands = made.add_subparsers(required=True, metavar='COMMAND', parser_class=Parser)
+    add_play(commands)
+    commands.add_parser('status', help='what the tests have come to').set_defaults(run=status)
+    add_cluster(commands)
+    add_figures(commands)
+    for command in commands.choices.values():
+        command.add_argument('--out', default='out/farm', metavar='FOLDER',
+                             help='of results and logs (out/farm)')
+    return made
+
+
+def main():
+    try:
+        options = parser().parse_args()
+        return options.run(options)
+    except Trouble as trouble:
+        say(f'kelpie: {trouble}')
+        return WRONG_USE
+    except (OSError, sqlite3.Error) as error:
+        say(f'kelpie: {error}')
+        return MACHINE
+
+
+if __name__ == '__main__':
+    sys.exit(main())
