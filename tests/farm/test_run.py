@@ -136,3 +136,11 @@ def test_a_farm_where_nothing_but_trouble_comes_back_gives_up(store):
     with pytest.raises(Trouble, match='8 matches in a row failed: another version plays here'):
         run(store, cluster)
     assert len(cluster.handed_out) < 20
+
+
+def test_a_match_that_goes_well_between_those_in_trouble_keeps_the_farm_going(store):
+    """Of eight that come back seven are in trouble."""
+    back = iter(range(1, 1000))
+    cluster = HandmadeCluster(
+        outcome=lambda m: drawn(m) if next(back) % 8 == 0 else {'trouble': 'stuck'})
+    assert run(store, cluster, most=6).judged.pairs == 6
