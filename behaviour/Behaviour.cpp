@@ -71,8 +71,8 @@ void fill(WorldFrame& frame, const BehaviourIn& in) {
   frame.field = in.field;
 }
 
-BehaviourState::BehaviourState(const std::string& scripts)
-    : host_(std::make_unique<PythonHost>(scripts)) {}
+BehaviourState::BehaviourState(const std::string& scripts, const BehaviourState* beside)
+    : host_(std::make_unique<PythonHost>(scripts, beside ? beside->host_.get() : nullptr)) {}
 
 BehaviourState::~BehaviourState() = default;
 

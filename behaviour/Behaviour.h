@@ -18,12 +18,15 @@ namespace kelpie::behaviour {
 
 class PythonHost;  // the only owner of Python objects
 
-// Holds the interpreter and the loaded script. One per process: CPython allows no more.
+// Holds the loaded script and the interpreter, of which CPython allows one in a process: a second
+// state stands beside the first and shares it. Scripts share nothing but that: each state loads
+// modules of its own.
 class BehaviourState {
  public:
   // `scripts`: folder or zip with the behaviours (pycode/). A script that does not load leaves the
   // state usable: every step answers with the fallback and tries again when the file has changed.
-  explicit BehaviourState(const std::string& scripts);
+  // `beside`: another one of this process, if there is one; both live and are used in one thread.
+  explicit BehaviourState(const std::string& scripts, const BehaviourState* beside = nullptr);
   ~BehaviourState();
   BehaviourState(const BehaviourState&) = delete;
   BehaviourState& operator=(const BehaviourState&) = delete;

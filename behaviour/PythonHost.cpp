@@ -62,34 +62,44 @@ Rows rowsOf(PyObject* list) {
 
 }  // namespace
 
-PythonHost::PythonHost(const std::string& scripts)
+PythonHost::PythonHost(const std::string& scripts, const PythonHost* beside)
     : modules_(scripts),
-      interpreter_(modules_.searchPaths()),
+      interpreter_(beside != nullptr ? beside->interpreter_
+                                     : std::make_shared<Interpreter>(modules_.searchPaths())),
       frame_(std::make_unique<WorldFrame>()) {
-  if (!interpreter_.error().empty()) {
-    report(interpreter_.error(), interpreter_.error());
+  if (!interpreter_->error().empty()) {
+    report(interpreter_->error(), interpreter_->error());
     return;
   }
-  prepare();
+  prepare(beside);
   if (!world_) fail(Fallback::notLoaded);
   if (world_ && load()) modules_.keep();
 }
 
 PythonHost::~PythonHost() { tellLeftOut(printed_.leftOut()); }
 
-void PythonHost::prepare() {
+void PythonHost::prepare(const PythonHost* beside) {
   guard_ = modules_.guard();
   if (!guard_) return;
   kelpie_ = modules_.kelpie(guard_.get());
   if (!kelpie_) return;
   commandType_ = PythonRef(PyObject_GetAttrString(kelpie_.get(), "Command"));
-  if (!listen()) return;
-  const PythonRef watched(PyObject_CallMethod(guard_.get(), "watch", nullptr));
-  Watchdog::listen();
+  if (!listen() || !watch(beside)) return;
   types_ = std::make_unique<ViewTypes>();
   reader_ = std::make_unique<CommandReader>();
   PythonRef world = types_->view(*frame_);
-  if (watched && commandType_ && types_->good()) world_ = std::move(world);
+  if (commandType_ && types_->good()) world_ = std::move(world);
+}
+
+// The signal is the process's: the first of several hosts hears it for all, by its own exception.
+bool PythonHost::watch(const PythonHost* beside) {
+  if (beside != nullptr) {
+    const PythonRef limit(PyObject_GetAttrString(beside->guard_.get(), "TimeLimit"));
+    return limit && PyObject_SetAttrString(guard_.get(), "TimeLimit", limit.get()) == 0;
+  }
+  const PythonRef watched(PyObject_CallMethod(guard_.get(), "watch", nullptr));
+  Watchdog::listen();
+  return static_cast<bool>(watched);
 }
 
 // From now on this hears what scripts print.
@@ -116,14 +126,19 @@ void PythonHost::tellLeftOut(std::uint32_t lines) {
 
 // An edit is loaded beside the version before, which may have filled its own room.
 std::size_t PythonHost::heapToLoad() {
-  return interpreter_.heap().used() + bytesOf(BehaviourParams{}.heapLimit);
+  return interpreter_->heap().used() + bytesOf(BehaviourParams{}.heapLimit);
+}
+
+// Of several hosts together: nobody tells whose a block is.
+std::size_t PythonHost::heapToDecide(const BehaviourParams& params) const {
+  return static_cast<std::size_t>(interpreter_.use_count()) * bytesOf(params.heapLimit);
 }
 
 bool PythonHost::load() {
   PythonRef version;
   {
     const Watchdog watchdog(kLoadLimit, kHungLoadExit);
-    const HeapLimit limit(interpreter_.heap(), heapToLoad());
+    const HeapLimit limit(interpreter_->heap(), heapToLoad());
     version = modules_.load(guard_.get(), kelpie_.get());
   }
   PythonRef decide(version ? PyObject_GetAttrString(version.get(), "decide") : nullptr);
@@ -180,7 +195,7 @@ Fallback PythonHost::call(const BehaviourParams& params, Command& command) {
   PythonRef answer;
   {
     const Watchdog watchdog(params.timeLimit, kHungExit);
-    const HeapLimit limit(interpreter_.heap(), bytesOf(params.heapLimit));
+    const HeapLimit limit(interpreter_->heap(), heapToDecide(params));
     answer = PythonRef(PyObject_CallOneArg(decide_.get(), world_.get()));
   }
   if (!answer) return fail(Fallback::scriptError);

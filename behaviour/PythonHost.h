@@ -24,7 +24,8 @@ namespace kelpie::behaviour {
 
 class PythonHost {
  public:
-  explicit PythonHost(const std::string& scripts);
+  // `beside`: another one, whose interpreter it shares.
+  explicit PythonHost(const std::string& scripts, const PythonHost* beside = nullptr);
   ~PythonHost();
   PythonHost(const PythonHost&) = delete;
   PythonHost& operator=(const PythonHost&) = delete;
@@ -41,10 +42,12 @@ class PythonHost {
   void say(const std::string& line);  // a script prints
 
  private:
-  void prepare();
+  void prepare(const PythonHost* beside);
   bool listen();
+  bool watch(const PythonHost* beside);
   void tellLeftOut(std::uint32_t lines);
   std::size_t heapToLoad();
+  std::size_t heapToDecide(const BehaviourParams& params) const;
   bool load();
   void reloadIfEdited(const BehaviourParams& params);
   Fallback call(const BehaviourParams& params, Command& command);
@@ -66,7 +69,7 @@ class PythonHost {
   std::uint32_t framesToRest_ = 0;  // before the next call
   bool broken_ = false;             // an edit failed to load; an older version may still be running
 
-  Interpreter interpreter_;  // before everything that holds references
+  std::shared_ptr<Interpreter> interpreter_;  // before everything that holds references
   std::unique_ptr<ViewTypes> types_;
   std::unique_ptr<CommandReader> reader_;
   std::unique_ptr<WorldFrame> frame_;

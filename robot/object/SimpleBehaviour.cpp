@@ -24,7 +24,7 @@ class PythonHost {
   RecentReports reports;  // so does this
 };
 
-BehaviourState::BehaviourState(const std::string& /*scripts*/)
+BehaviourState::BehaviourState(const std::string& /*scripts*/, const BehaviourState* /*beside*/)
     : host_(std::make_unique<PythonHost>()) {}
 
 BehaviourState::~BehaviourState() = default;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <memory>
 
 #include "tests/behaviour/Scripts.h"
 
@@ -368,6 +369,38 @@ TEST(Host, EmptyDecideCostsLessThanTwentyMicroseconds) {
   RecordProperty("microseconds", std::to_string(each * 1e6));
   std::printf("empty decide: %.2f us\n", each * 1e6);
   EXPECT_LT(each, 20e-6 * (getenv("ASAN_OPTIONS") != nullptr ? 10 : 1));
+}
+
+TEST(Host, TwoStatesOfOneProcessShareNoModule) {
+  const Scripts counts;
+  counts.write("here.py", "class Number:\n    value = 0.0\n");
+  counts.write("main.py",
+               "import kelpie\nfrom here import Number\n\ndef decide(world):\n"
+               "    Number.value += 1.0\n"
+               "    return kelpie.Command(walk=kelpie.WalkRequest(forward=Number.value))\n");
+  HostRun one(counts);
+  HostRun two(counts, one);
+  for (int i = 0; i < 3; ++i) one.step();
+  EXPECT_EQ(one.step().walk.forward, 4.0);
+  EXPECT_EQ(two.step().walk.forward, 1.0);
+}
+
+TEST(Host, AScriptWithoutEndIsBrokenOffBesideAnotherThatPlaysOn) {
+  const Scripts endless("while True: pass");
+  const Scripts good("return kelpie.Command()");
+  HostRun one(good);
+  HostRun two(endless, one);
+  two.params.timeLimit = 0.02;
+  EXPECT_EQ(two.step().fallback, Fallback::timeLimit);
+  EXPECT_EQ(one.step().fallback, Fallback::none);
+}
+
+TEST(Host, WhoeverPlaysOnKeepsTheInterpreterOfOneThatHasEnded) {
+  const Scripts good("return kelpie.Command()");
+  auto one = std::make_unique<HostRun>(good);
+  HostRun two(good, *one);
+  one.reset();
+  EXPECT_EQ(two.step().fallback, Fallback::none);
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ class Scripts {
 class HostRun {
  public:
   explicit HostRun(const Scripts& scripts) : state(scripts.path()) { params.reloadFrames = 1; }
+  HostRun(const Scripts& scripts, const HostRun& beside) : state(scripts.path(), &beside.state) {}
 
   Command step() {
     input.frame += 1;
