@@ -29,8 +29,9 @@ Command askedIn(const FrameOutput* frame) {
 
 }  // namespace
 
-AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log)
-    : frameLoop_(config, scripts),
+AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log,
+                       const AgentLoops* beside)
+    : frameLoop_(config, scripts, beside != nullptr ? &beside->frameLoop_ : nullptr),
       motionLoop_(config),
       log_(log),
       startingTilt_(gps::startingTilt(config.gps.tilt)),
@@ -96,9 +97,7 @@ void AgentLoops::feelButtons(TimeUs when, const SensorFrame& sensed) {
   net::feel(felt, listens_, game_);
 }
 
-void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) {
-  imageCame_ = true;
-  if (motionOutput_ == nullptr) return;  // no joints known yet: the image cannot be used
+void AgentLoops::expose(TimeUs exposureMiddle, std::uint32_t number) {
   input_.elapsed = frameCount_ == 0 ? 0.0 : (exposureMiddle - input_.time).seconds();
   if (frameCount_ > 0) input_.droppedFrames += droppedBetween(cameraNumber_, number);
   cameraNumber_ = number;
@@ -119,10 +118,27 @@ void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t
   input_.drive = drive_;
   input_.radio = radio_.counts;
   input_.control = game_.counts;
-  input_.image = image;
-  frame_ = &frameLoop_.step(input_, silent_);
-  log_.frame(input_, *frame_);
+}
+
+void AgentLoops::take(const FrameOutput& frame) {
+  frame_ = &frame;
+  log_.frame(input_, frame);
   input_.team.clear();
+}
+
+void AgentLoops::camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) {
+  imageCame_ = true;
+  if (motionOutput_ == nullptr) return;  // no joints known yet: the image cannot be used
+  expose(exposureMiddle, number);
+  input_.image = image;
+  take(frameLoop_.step(input_, silent_));
+}
+
+void AgentLoops::look(Sight& sight, TimeUs exposureMiddle, std::uint32_t number) {
+  imageCame_ = true;
+  if (motionOutput_ == nullptr) return;
+  expose(exposureMiddle, number);
+  take(frameLoop_.stepThrough(sight, input_, silent_));
 }
 
 void AgentLoops::hear(const ControlPacket& packet, TimeUs now) {

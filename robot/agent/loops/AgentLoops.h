@@ -24,12 +24,16 @@ namespace kelpie::agent {
 
 class AgentLoops : public Loops {
  public:
-  AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log);
+  // `beside`: another robot's of this process, if there is one (BehaviourState).
+  AgentLoops(const AgentConfig& config, const std::string& scripts, LogSink& log,
+             const AgentLoops* beside = nullptr);
 
   const MotionOutput& motion(const MotionInput& withoutCommand) override;
   const MotorsOut& motors() const override { return motors_; }
   void power(const PowerReport& report) override { power_ = report; }
   void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override;
+  // The same where nothing is rendered: the FrameInput has no image, and vision is not asked.
+  void look(Sight& sight, TimeUs exposureMiddle, std::uint32_t number);
 
   void setDrive(const Drive& drive) { drive_ = drive; }
   void hear(const ControlPacket& packet, TimeUs now) override;
@@ -45,6 +49,8 @@ class AgentLoops : public Loops {
   void decideMotors(const MotionInput& in);
   void feelButtons(TimeUs when, const SensorFrame& sensed);
   Command forTheBody() const;
+  void expose(TimeUs exposureMiddle, std::uint32_t number);
+  void take(const FrameOutput& frame);
 
   FrameLoop frameLoop_;
   MotionLoop motionLoop_;

@@ -6,8 +6,10 @@
 
 namespace kelpie::agent {
 
-FrameLoop::FrameLoop(const AgentConfig& config, const std::string& scripts)
-    : config_(config), vision_(config.calibration), behaviour_(scripts) {
+FrameLoop::FrameLoop(const AgentConfig& config, const std::string& scripts, const FrameLoop* beside)
+    : config_(config),
+      vision_(config.calibration),
+      behaviour_(scripts, beside != nullptr ? &beside->behaviour_ : nullptr) {
   shareField(config_);
   gps::prepare(config_.gps, gps_);
 }
@@ -39,6 +41,16 @@ const FrameOutput& FrameLoop::step(const FrameInput& input, StageObserver& obser
   sense(input, observer);
   observer.begin(Stage::vision);
   vision::stepInto(output_.percepts, {input, output_.body}, config_.vision, vision_);
+  observer.end(Stage::vision);
+  decide(input, observer);
+  return output_;
+}
+
+const FrameOutput& FrameLoop::stepThrough(Sight& sight, const FrameInput& input,
+                                          StageObserver& observer) {
+  sense(input, observer);
+  observer.begin(Stage::vision);
+  sight.see(input, output_.body, output_.percepts);
   observer.end(Stage::vision);
   decide(input, observer);
   return output_;

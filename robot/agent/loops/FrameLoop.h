@@ -9,6 +9,7 @@
 #include "behaviour/Behaviour.h"
 #include "gps/Localiser.h"
 #include "robot/agent/AgentConfig.h"
+#include "robot/agent/loops/Sight.h"
 #include "robot/agent/loops/StageObserver.h"
 #include "robot/core/types/FrameInput.h"
 #include "robot/core/types/FrameOutput.h"
@@ -18,14 +19,19 @@ namespace kelpie::agent {
 
 class FrameLoop {
  public:
-  // `scripts`: folder or zip of behaviours.
-  FrameLoop(const AgentConfig& config, const std::string& scripts);
+  // `scripts`: folder or zip of behaviours. `beside`: another robot's of this process, if there is
+  // one (BehaviourState).
+  FrameLoop(const AgentConfig& config, const std::string& scripts,
+            const FrameLoop* beside = nullptr);
 
   // The result stays valid until the next step.
   const FrameOutput& step(const FrameInput& input, StageObserver& observer);
   // Runs the stages after vision, from the percepts of an image that was not kept.
   const FrameOutput& stepFrom(const Percepts& seen, const FrameInput& input,
                               StageObserver& observer);
+
+  // The same with something in the place of vision.
+  const FrameOutput& stepThrough(Sight& sight, const FrameInput& input, StageObserver& observer);
 
   const std::string& scriptError() const { return behaviour_.lastError(); }
   const behaviour::RecentReports& reports() const { return behaviour_.reports(); }
