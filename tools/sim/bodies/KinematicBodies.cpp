@@ -11,6 +11,10 @@ namespace {
 // A robot seen from above: two discs, cm ahead of the neck base.
 constexpr std::array<double, 2> kBodyDiscs{-2.0, -11.0};
 constexpr double kBodyRadius = 7.0;
+constexpr double kDiscReach = 11.1;  // cm from the neck base to the farther disc's centre
+// cm that a disc must be from an obstacle's surface to be left out: no robot is pushed so far in a
+// tick, whatever else pushes it.
+constexpr double kFarOff = 40.0;
 // cm that a ball goes in a tick at most, struck by the fastest foot (2) or rolling (2.4). What goes
 // farther was squeezed out, to the other side of whoever squeezed it.
 constexpr double kSqueezedOut = 3.0;
@@ -52,6 +56,9 @@ void KinematicBodies::pushApart(std::size_t one, std::size_t other, Point2<Field
 // Both give way alike: two robots that push against each other go nowhere, and one that pushes
 // another that stands moves it at half its own speed.
 void KinematicBodies::separate(std::size_t one, std::size_t other) {
+  const double apart =
+      distance(robots_[one].place().pose.position, robots_[other].place().pose.position);
+  if (apart > 2.0 * (kDiscReach + kBodyRadius)) return;
   for (const double a : kBodyDiscs) {
     for (const double b : kBodyDiscs) {
       const Point2<Field> theirs = fieldFromRobot(robots_[other].place().pose, {0.0, b});
@@ -67,6 +74,7 @@ void KinematicBodies::keepApart() {
       const Point2<Field> centre = fieldFromRobot(robots_[i].place().pose, {0.0, disc});
       for (const Obstacle& obstacle : obstacles_) {
         const double reach = kBodyRadius + obstacle.radius;
+        if (distance(nearestOn(obstacle, centre), centre) > reach + kFarOff) continue;
         robots_[i].push(wayOff(robots_[i], disc, nearestOn(obstacle, centre), reach));
       }
     }

@@ -42,6 +42,8 @@ class Radio {
   // What has reached that robot by now, in the order of its arrival. What does not fit into one
   // answer is lost, as in a full receive buffer.
   RadioPackets take(std::size_t to, TimeUs now);
+  // Whether any is on its way to that robot, or there.
+  bool expects(std::size_t to) const { return !inboxes_[to].empty(); }
 
  private:
   struct Flying {

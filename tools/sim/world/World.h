@@ -115,6 +115,7 @@ class World {
   // A robot sends a packet to all others; those that have reached it by now.
   void send(std::size_t robot, const RadioPacket& packet);
   RadioPackets takePackets(std::size_t robot) { return radio_.take(robot, time()); }
+  bool expectsPackets(std::size_t robot) const { return radio_.expects(robot); }
 
   // What the game controller broadcasts, and what that robot makes of it.
   net::GameControlData control() const { return referee_.control(); }
