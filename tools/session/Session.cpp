@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -19,6 +20,7 @@
 #include "tools/cli/RunDirectory.h"
 #include "tools/session/MatchFolder.h"
 #include "tools/session/Others.h"
+#include "tools/session/PerceptSession.h"
 #include "tools/session/SessionCommands.h"
 
 namespace kelpie::cli {
@@ -71,15 +73,18 @@ struct WorldTalk {
   std::string complaint;
 
   void hear(const std::string& line, const SessionTalk& talk) {
-    constexpr std::string_view kMark = "kelpie-world: ";
+    constexpr std::array<std::string_view, 2> kMarks{"kelpie-world: ", "kelpie-percepts: "};
     std::istringstream words(line);
     std::string word;
     std::string team;
     double seconds = 0.0;
     if (hearTime(line, talk)) return;
-    if (line.compare(0, kMark.size(), kMark) == 0)
-      complaint = line.substr(kMark.size());
-    else if (!(words >> word >> team >> seconds) || word != "goal")
+    for (const std::string_view mark : kMarks)
+      if (line.compare(0, mark.size(), mark) == 0) {
+        complaint = line.substr(mark.size());
+        return;
+      }
+    if (!(words >> word >> team >> seconds) || word != "goal")
       tell(line, talk);
     else if (talk.goal)
       talk.goal(team == (blue ? "blue" : "red"), seconds);
@@ -314,6 +319,51 @@ SessionTalk watchLogs(const SessionOptions& options, const SessionTalk& talk,
   return watched;
 }
 
+// What was played, for the caller.
+void handOn(const SessionOptions& options, const SessionTalk& talk,
+            const RunDirectory& runDirectory, SessionResult& result) {
+  keepLog(options, talk, result);
+  if (!result.trouble.empty()) return;
+  readResult(runDirectory.path("result.json"), options.team == "blue", result);
+  if (talk.frames && options.keepFrames)
+    talk.frames(agentLog(options, runDirectory, 0), runDirectory.path("world.mcap"));
+  if (!talk.all || !options.keepAll) return;
+  std::vector<std::string> logs = {agentLog(options, runDirectory, 0)};
+  for (const OtherRobot& robot : options.others)
+    logs.push_back(otherLog(options, runDirectory, robot));
+  talk.all(logs, runDirectory.path("world.mcap"));
+}
+
+// World and agents are one process.
+void playPercepts(const SessionOptions& options, const SessionTalk& talk,
+                  const RunDirectory& runDirectory, SessionResult& result) {
+  const Status fits = mayBePercepts(options);
+  auto match = fits ? Process::start(perceptCommand(options, runDirectory), true)
+                    : Expected<Process>(Error{fits.error()});
+  if (!match) {
+    result.trouble = match.error();
+    result.badInput = !fits;
+    return;
+  }
+  WorldTalk said{options.team == "blue", {}};
+  std::string line;
+  bool asked = false;
+  while (!match->ended()) {
+    if (match->readLine(line, 50)) said.hear(line, talk);
+    if (asked || !(interrupted() || (talk.over && talk.over()))) continue;
+    asked = true;
+    match->terminate();
+  }
+  while (match->readLine(line, 0)) said.hear(line, talk);
+  const int code = match->wait();
+  result.interrupted = interrupted();
+  result.badInput = code == 2;
+  if (code >= 128) result.trouble = fmt::format("the match died (signal {})", code - 128);
+  if (code > 0 && code < 128)
+    result.trouble = said.complaint.empty() ? "the match gave up" : said.complaint;
+  handOn(options, talk, runDirectory, result);
+}
+
 void play(const SessionOptions& options, const SessionTalk& talk, const RunDirectory& runDirectory,
           SessionResult& result) {
   auto world = Process::start(worldCommand(options, runDirectory), true, options.orders);
@@ -327,16 +377,7 @@ void play(const SessionOptions& options, const SessionTalk& talk, const RunDirec
   std::optional<Process> watched(std::move(*agent));
   Processes processes{options, runDirectory, *world, watched, *others, 0, {blue, {}}, {}};
   watch(watchLogs(options, talk, result), processes, result);
-  keepLog(options, talk, result);
-  if (!result.trouble.empty()) return;
-  readResult(runDirectory.path("result.json"), blue, result);
-  if (talk.frames && options.keepFrames)
-    talk.frames(agentLog(options, runDirectory, 0), runDirectory.path("world.mcap"));
-  if (!talk.all || !options.keepAll) return;
-  std::vector<std::string> logs = {agentLog(options, runDirectory, 0)};
-  for (const OtherRobot& robot : options.others)
-    logs.push_back(otherLog(options, runDirectory, robot));
-  talk.all(logs, runDirectory.path("world.mcap"));
+  handOn(options, talk, runDirectory, result);
 }
 
 }  // namespace
@@ -344,10 +385,12 @@ void play(const SessionOptions& options, const SessionTalk& talk, const RunDirec
 SessionResult runSession(const SessionOptions& options, const SessionTalk& talk) {
   SessionResult result;
   const RunDirectory runDirectory;
-  if (runDirectory.ready())
-    play(options, talk, runDirectory, result);
-  else
+  if (!runDirectory.ready())
     result.trouble = "cannot make a temporary folder";
+  else if (options.percepts)
+    playPercepts(options, talk, runDirectory, result);
+  else
+    play(options, talk, runDirectory, result);
   return result;
 }
 

@@ -61,43 +61,35 @@ Words anyAgent(const SessionOptions& options, const std::string& team, std::uint
 }  // namespace
 
 Words worldCommand(const SessionOptions& options, const RunDirectory& runDirectory) {
-  Words argv = {programFolder() + "/kelpie-world",
-                "--socket",
-                runDirectory.path("world"),
-                "--robots",
-                std::to_string(1 + options.others.size()),
-                "--seed",
-                std::to_string(options.seed),
-                "--field",
-                options.field,
-                "--scenario",
-                options.scenario,
-                "--seconds",
-                std::to_string(options.seconds),
-                "--goals",
-                std::to_string(options.goals),
-                "--result",
-                runDirectory.path("result.json"),
-                "--tell-goals",
-                options.physical ? "--physical" : "--fast"};
+  Words argv = {programFolder() + "/kelpie-world", "--socket", runDirectory.path("world"),
+                "--robots", std::to_string(1 + options.others.size())};
+  addMatch(options, runDirectory, argv);
+  if (options.controller != 0)
+    argv.insert(argv.end(), {"--game-controller", std::to_string(options.controller)});
+  argv.push_back("--respawn");  // who may come again is the session's to say
+  if (options.realTime) argv.push_back("--real-time");
+  if (options.orders) argv.push_back("--orders");
+  for (const auto& artefact : options.artefactsOff) argv.push_back("--no-" + artefact);
+  return argv;
+}
+
+void addMatch(const SessionOptions& options, const RunDirectory& runDirectory, Words& argv) {
+  argv.insert(argv.end(),
+              {"--seed", std::to_string(options.seed), "--field", options.field, "--scenario",
+               options.scenario, "--seconds", std::to_string(options.seconds), "--goals",
+               std::to_string(options.goals), "--result", runDirectory.path("result.json"),
+               "--tell-goals", options.physical ? "--physical" : "--fast"});
   const double loss = options.radio == "none" ? 1.0 : options.radioLoss;
   if (loss >= 0.0) argv.insert(argv.end(), {"--radio-loss", std::to_string(loss)});
   if (options.radioDelay >= 0.0)
     argv.insert(argv.end(), {"--radio-delay", std::to_string(options.radioDelay)});
   addEach("--note", options.notes, argv);
   if (options.rules) argv.insert(argv.end(), {"--rules", "--tell-time"});
-  if (options.controller != 0)
-    argv.insert(argv.end(), {"--game-controller", std::to_string(options.controller)});
-  argv.push_back("--respawn");  // who may come again is the session's to say
-  if (options.realTime) argv.push_back("--real-time");
-  if (options.orders) argv.push_back("--orders");
   if (options.live) argv.push_back("--plain-log");
   if (options.keepsLog())
     argv.insert(argv.end(), {"--truth", partPath(options, runDirectory, "world.mcap")});
-  for (const auto& artefact : options.artefactsOff) argv.push_back("--no-" + artefact);
   for (const auto& word : wordsOf(options.randomised)) argv.push_back(word);
   addStaging(options.staging, argv);
-  return argv;
 }
 
 // A log that is kept is written where it is kept: a match that is killed leaves it there.

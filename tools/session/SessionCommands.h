@@ -9,6 +9,9 @@ namespace kelpie::cli {
 
 std::vector<std::string> worldCommand(const SessionOptions& options,
                                       const RunDirectory& runDirectory);
+// What of it does not depend on how its agents come by.
+void addMatch(const SessionOptions& options, const RunDirectory& runDirectory,
+              std::vector<std::string>& argv);
 // Of the robot that is watched.
 std::vector<std::string> agentCommand(const SessionOptions& options,
                                       const RunDirectory& runDirectory, int life = 0);

@@ -49,7 +49,8 @@ struct SessionOptions {
   std::string ring = "nominal";
   std::vector<std::string> artefactsOff;  // of kelpie-world's --no-...
   RandomisationOptions randomised;
-  bool physical = true;  // bodies with masses and servos; otherwise kinematic ones
+  bool physical = true;   // bodies with masses and servos; otherwise kinematic ones
+  bool percepts = false;  // no images: see PerceptSession.h
   // Where the joined log goes, in a folder of its own that has a `playing` (MatchFolder.h); empty:
   // none is kept.
   std::string log;

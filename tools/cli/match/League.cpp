@@ -43,6 +43,7 @@ struct LeagueOptions {
   league::LeaguePlan plan;
   int workers = 0;  // 0: one for two cores
   bool physical = false;
+  bool percepts = false;
   bool table = false;
   bool once = false;
   bool about = false;
@@ -80,6 +81,7 @@ Status readSides(LeagueOptions& options, Folders& folders) {
   const auto robots = teamPlan(options.robots);
   if (!robots) return Error{robots.error()};
   options.plan.about = versionLine() + ", " + options.robots;
+  if (options.percepts) options.plan.about += ", percepts";
   for (const std::string& folder : options.folders) {
     const std::string name = nameOf(folder);
     TeamPlan alone{1, 0, folder, ""};
@@ -117,10 +119,10 @@ class Complaints {
 };
 
 // The pure function of a league: processes of its own, nothing kept.
-league::MatchResult playMatch(const league::LeagueMatch& match, const std::string& robots,
+league::MatchResult playMatch(const league::LeagueMatch& match, const LeagueOptions& options,
                               const Folders& folders, Complaints& complaints) {
   league::MatchResult result;
-  auto plan = teamPlan(robots);
+  auto plan = teamPlan(options.robots);
   if (!plan) return voided(plan.error());
   plan->redFolder = folders.at(match.red);
   plan->blueFolder = folders.at(match.blue);
@@ -128,6 +130,7 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const std::strin
   session.seed = match.seed;
   session.seconds = 60.0 * match.minutes;
   session.physical = !match.fast;
+  session.percepts = options.percepts;
   session.set = {kNoReload};
   const Status used = useTeams(*plan, session);
   if (!used) return voided(used.error());
@@ -161,7 +164,8 @@ int showOnly(const LeagueOptions& options) {
 
 int workersFor(const LeagueOptions& options) {
   const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  return options.workers > 0 ? options.workers : std::max(1, cores / 2);
+  if (options.workers > 0) return options.workers;
+  return options.percepts ? cores : std::max(1, cores / 2);
 }
 
 std::string lineOf(const league::LeagueMatch& match, const league::MatchResult& result) {
@@ -198,7 +202,7 @@ int playLeague(LeagueOptions& options) {
   talk.stop = interrupted;
   Complaints complaints;
   const league::Play play = [&](const league::LeagueMatch& match) {
-    return playMatch(match, options.robots, folders, complaints);
+    return playMatch(match, options, folders, complaints);
   };
   const auto summary = league::runLeague(*journal, play, workers, talk);
   if (!summary) return fail(summary.error(), kExitMachine);
@@ -280,10 +284,15 @@ void addOptions(CommandLine& command, LeagueOptions& options) {
       .showDefault();
   command.option("--robots", options.robots, "A side").showDefault();
   command.option("--against", plan.reference, "The side that all others play, and they alone");
-  command.option("--workers", options.workers, "Matches at a time (one for two cores)")
+  command
+      .option("--workers", options.workers,
+              "Matches at a time (one for two cores; with --percepts one for each)")
       .check(integerInRange(1, 256));
   command.flag("--physical,!--fast", options.physical,
                "Bodies with masses and servos, or kinematic ones (the default)");
+  command.flag(
+      "--percepts", options.percepts,
+      "No images: percepts as vision would make them; a core plays a match five times as fast");
   command.flag("--table", options.table, "Plays nothing: shows what the league has come to");
   auto until =
       command.option("--until", options.until, "Plays two teams until it is known which is better")

@@ -22,6 +22,7 @@
 #include "tools/session/MatchFolder.h"
 #include "tools/session/MatchLine.h"
 #include "tools/session/Others.h"
+#include "tools/session/PerceptSession.h"
 #include "tools/session/Session.h"
 #include "tools/session/SessionCommands.h"
 #include "tools/session/Teams.h"
@@ -99,6 +100,7 @@ std::string describeLog(const PlayOptions& options, double seconds) {
   const auto log = [&](const std::string& images) {
     return fmt::format("log, {:.0f} MB: {}", megabytes, images);
   };
+  if (options.session.percepts) return log("no images");
   if (options.session.images == ImagesKept::planes)
     return log(fmt::format("a class plane in {} frames", kPlaneEvery));
   if (options.session.images == ImagesKept::all || seconds <= kAllImagesSeconds)
@@ -301,7 +303,12 @@ Status prepare(PlayOptions& options) {
   if (!teams) return teams;
   addNames(options);
   const Status controlled = addController(options);
-  return controlled ? stage(options) : controlled;
+  if (!controlled) return controlled;
+  if (options.session.percepts) {
+    const Status fits = mayBePercepts(options.session);
+    if (!fits) return fits;
+  }
+  return stage(options);
 }
 
 int tellMatch(const PlayOptions& options, const SessionResult& result, double took) {
@@ -415,6 +422,7 @@ void settle(const CommandLine& command, PlayOptions& options) {
   if ((teams || session.realTime) && !said("--goals")) session.goals = kMaxGoals;
   if (options.opponent != "none" && !said("--scenario")) session.scenario = "attack";
   if (options.logs == "all" && !said("--images")) options.images = "planes";
+  if (session.percepts) options.noFilm = true;
   options.ownFolder = !said("--out");
 }
 
@@ -468,6 +476,10 @@ void addPlay(CommandLine& app, int& code) {
                     "spectators"}));
   command.flag("--physical,!--fast", session.physical,
                "Bodies with masses, servos and contacts (the default), or kinematic ones");
+  command.flag(
+      "--percepts", session.percepts,
+      "No images: each robot gets the percepts that its vision would make of them, and all "
+      "of the match is one process; five times as fast (with --fast)");
   addRandomisationOptions(command, session.randomised);
   addLeanOptions(command, session.randomised);
   command
