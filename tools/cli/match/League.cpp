@@ -290,9 +290,8 @@ void addOptions(CommandLine& command, LeagueOptions& options) {
       .check(integerInRange(1, 256));
   command.flag("--physical,!--fast", options.physical,
                "Bodies with masses and servos, or kinematic ones (the default)");
-  command.flag(
-      "--percepts", options.percepts,
-      "No images: percepts as vision would make them; a core plays a match five times as fast");
+  command.flag("--percepts", options.percepts,
+               "No images: percepts as vision would make them; a fifth of the processor time");
   command.flag("--table", options.table, "Plays nothing: shows what the league has come to");
   auto until =
       command.option("--until", options.until, "Plays two teams until it is known which is better")

@@ -479,7 +479,7 @@ void addPlay(CommandLine& app, int& code) {
   command.flag(
       "--percepts", session.percepts,
       "No images: each robot gets the percepts that its vision would make of them, and all "
-      "of the match is one process; five times as fast (with --fast)");
+      "of the match is one process: a fifth of the processor time (with --fast)");
   addRandomisationOptions(command, session.randomised);
   addLeanOptions(command, session.randomised);
   command
