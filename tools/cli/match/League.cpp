@@ -234,7 +234,7 @@ int playOnce(LeagueOptions options) {
     Complaints complaints;
     const league::LeagueMatch match{red, blue, options.plan.seed, options.plan.minutes,
                                     !options.physical};
-    const auto result = playMatch(match, options.robots, folders, complaints);
+    const auto result = playMatch(match, options, folders, complaints);
     if (!result.trouble.empty())
       return fail(result.trouble, interrupted() ? kExitInterrupted : kExitMachine);
     answer.update(nlohmann::ordered_json::parse(league::matchLine(0, match, result)));
