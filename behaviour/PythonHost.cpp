@@ -64,8 +64,9 @@ Rows rowsOf(PyObject* list) {
 
 PythonHost::PythonHost(const std::string& scripts, const PythonHost* beside)
     : modules_(scripts),
-      interpreter_(beside != nullptr ? beside->interpreter_
-                                     : std::make_shared<Interpreter>(modules_.searchPaths())),
+      interpreter_(beside != nullptr
+                       ? beside->interpreter_
+                       : SharedInterpreter(std::make_unique<Interpreter>(modules_.searchPaths()))),
       frame_(std::make_unique<WorldFrame>()) {
   if (!interpreter_->error().empty()) {
     report(interpreter_->error(), interpreter_->error());
@@ -131,7 +132,7 @@ std::size_t PythonHost::heapToLoad() {
 
 // Of several hosts together: nobody tells whose a block is.
 std::size_t PythonHost::heapToDecide(const BehaviourParams& params) const {
-  return static_cast<std::size_t>(interpreter_.use_count()) * bytesOf(params.heapLimit);
+  return interpreter_.users() * bytesOf(params.heapLimit);
 }
 
 bool PythonHost::load() {

@@ -11,9 +11,9 @@
 #include "behaviour/BehaviourParams.h"
 #include "behaviour/RecentReports.h"
 #include "behaviour/Rows.h"
-#include "behaviour/interpreter/Interpreter.h"
 #include "behaviour/interpreter/Modules.h"
 #include "behaviour/interpreter/PrintedLines.h"
+#include "behaviour/interpreter/SharedInterpreter.h"
 #include "behaviour/views/CommandReader.h"
 #include "behaviour/views/ViewTypes.h"
 #include "behaviour/views/WorldFrame.h"
@@ -69,7 +69,7 @@ class PythonHost {
   std::uint32_t framesToRest_ = 0;  // before the next call
   bool broken_ = false;             // an edit failed to load; an older version may still be running
 
-  std::shared_ptr<Interpreter> interpreter_;  // before everything that holds references
+  SharedInterpreter interpreter_;  // before everything that holds references
   std::unique_ptr<ViewTypes> types_;
   std::unique_ptr<CommandReader> reader_;
   std::unique_ptr<WorldFrame> frame_;
