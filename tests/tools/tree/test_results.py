@@ -87,7 +87,8 @@ class Place:
             shutil.copy(ROOT / "tools" / name, self.tree / "tools" / name)
         self.git("init", "-q")
         self.commit()
-        for name in ("kelpie-experiments", "kelpie-agent", "kelpie-world", "kelpie"):
+        for name in ("kelpie-experiments", "kelpie-agent", "kelpie-world", "kelpie-percepts",
+                     "kelpie"):
             (self.bin / name).write_text(PROGRAM)
             (self.bin / name).chmod(0o755)
         for seed, error, recall, ghosts in ((7, 2.0, 0.95, 0), (8, 3.5, 0.89, 1),
