@@ -108,6 +108,17 @@ export async function until(view, wanted) {
   throw new Error(`the page does not come to that: ${JSON.stringify(last)}`);
 }
 
+// What `ask` answers once it fits; fails with its last answer after half a minute.
+export async function eventually(view, ask, wanted) {
+  let answer;
+  for (let i = 0; i < 150; ++i) {
+    answer = await ask();
+    if (wanted.test(answer)) return;
+    await view.waitForTimeout(200);
+  }
+  throw new Error(`not ${wanted}: ${answer}`);
+}
+
 export async function open(test, sources, { hash = "", search = "", ...size } = {}) {
   const address = await studio(test, sources);
   const { view, errors } = await browser(test, size);

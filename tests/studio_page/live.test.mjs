@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
-import { browser, folder, playing, report, until } from "./browser.mjs";
+import { browser, eventually, folder, playing, report, until } from "./browser.mjs";
 
 const running = (now) => now.counts.robots === 2 && now.time > 1;
 
@@ -68,8 +68,7 @@ test("the behaviours are listed and shown", async (t) => {
   await until(view, running);
   await view.getByRole("tab", { name: "Behaviours" }).click();
   await view.getByLabel("Behaviour file").selectOption({ label: "red: main.py" });
-  await view.waitForTimeout(800);
-  assert.match(await view.getByLabel("Text of the behaviour").inputValue(), /decide/);
+  await eventually(view, () => view.getByLabel("Text of the behaviour").inputValue(), /decide/);
   assert.deepEqual(errors, []);
 });
 

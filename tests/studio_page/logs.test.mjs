@@ -2,7 +2,7 @@
 // Recorded logs in the page: what is shown of them, and how a person moves in them.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { matchLogs, open, report, until } from "./browser.mjs";
+import { eventually, matchLogs, open, report, until } from "./browser.mjs";
 
 const whole = (now) => now.openMs > 0 && now.counts.robots === 4;
 const frame = 1 / 30;
@@ -64,8 +64,11 @@ test("pointing at a decision tells its reason, a click goes there", async (t) =>
   await until(view, whole);
   await allRead(view);
   const lanes = await view.locator(".lanes canvas").boundingBox();
-  await view.mouse.move(lanes.x + 0.8 * lanes.width, lanes.y + 44);
-  assert.match(await view.textContent("#reason"), /The (skill|player|decision|role) .* chose /);
+  const pointed = async () => {
+    await view.mouse.move(lanes.x + 0.8 * lanes.width, lanes.y + 44);
+    return view.textContent("#reason");
+  };
+  await eventually(view, pointed, /The (skill|player|decision|role) .* chose /);
   await view.mouse.click(lanes.x + 0.8 * lanes.width, lanes.y + 44);
   const { time } = await report(view);
   assert.notEqual(time, 8);

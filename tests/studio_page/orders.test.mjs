@@ -18,24 +18,35 @@ async function live(t, name, words = []) {
   return { view, errors };
 }
 
-async function pause(view) {
-  await view.getByRole("button", { name: "Pause or resume the match" }).click();
-  await view.locator("text=Resume match").waitFor();
-  for (let before = -1, same = 0; same < 3; ) {  // what was under way arrives yet
+// The time at which it stands, once what was under way has arrived.
+async function settled(view) {
+  let before = -1;
+  for (let same = 0; same < 3; ) {
     const { time } = await report(view);
     same = time === before ? same + 1 : 0;
     before = time;
     await view.waitForTimeout(1500);
   }
+  return before;
+}
+
+async function pause(view) {
+  await view.getByRole("button", { name: "Pause or resume the match" }).click();
+  await view.locator("text=Resume match").waitFor();
+  return settled(view);
 }
 
 test("a step is one frame of the match", async (t) => {
   const { view } = await live(t, "step");
-  await pause(view);
-  const { time } = await report(view);
-  await view.getByRole("button", { name: "One frame of the match" }).click();
-  const after = await until(view, (now) => now.time > time + 0.01);
-  assert.ok(after.time - time < 0.05, `${after.time - time} s`);
+  const paused = await pause(view);
+  const step = async (time) => {
+    await view.getByRole("button", { name: "One frame of the match" }).click();
+    await until(view, (now) => now.time > time + 0.01);
+    return settled(view);
+  };
+  const once = await step(paused);   // on a slow machine a last frame arrives with it
+  const twice = await step(once);
+  assert.ok(twice - once < 0.05, `${twice - once} s`);
 });
 
 test("the ball that is dragged lies where it was let go, and the robot goes for it", async (t) => {

@@ -39,7 +39,8 @@ COMMANDS = listed_commands() + commands_in_the_text()
 def words_of(command):
     words = shlex.split(command, comments=True)
     folder = "sheets" if words[1] == "calibrate" else "recording"
-    put_in = {"DIR": folder, "LOG": "out/stand/match.mcap", "4v4": "1v1"}
+    put_in = {"DIR": folder, "LOG": "out/stand/match.mcap",
+              "CARPET.mcap": "out/carpet/match.mcap", "4v4": "1v1"}
     words = [put_in.get(word, word) for word in words]
     if "--seconds" in words:
         words[words.index("--seconds") + 1] = "1"
@@ -81,8 +82,9 @@ def place_of_a_reader(match, tmp_path_factory):
     (place / "sheets").mkdir()
     for i, paper in enumerate(PAPERS):
         (place / "sheets" / f"{i}.yuv").write_bytes(sheet(paper))
-    kelpie("play", "--fast", "--pycode", ROOT / "tools/calibrate/looking", "--seconds", "14",
-           "--seed", "3", "--images", "all", "--no-film", "--out", place / "out/stand")
+    for script, out in (("looking", "stand"), ("carpet", "carpet")):
+        kelpie("play", "--fast", "--pycode", ROOT / "tools/calibrate" / script, "--seconds", "14",
+               "--seed", "3", "--images", "all", "--no-film", "--out", place / "out" / out)
     return place
 
 

@@ -97,6 +97,7 @@ Status countLog(const std::string& path, RuleCounter& counter) {
 Status countMatch(const cli::SessionOptions& session, RuleCounter& counter) {
   Status read = Done{};
   cli::SessionTalk talk;
+  talk.line = [](const std::string&) {};  // of a ball that is taken away and brought back
   talk.all = [&](const std::vector<std::string>& logs, const std::string&) {
     for (const std::string& log : logs)
       if (read) read = countLog(log, counter);
