@@ -114,7 +114,7 @@ Expected<agent::AgentConfig> configOf(const Player& player) {
 Status addAgent(const Player& player, const Options& options, Agents& agents) {
   auto config = configOf(player);
   if (!config) return Error{config.error()};
-  MatchRobot robot{std::move(*config), player.scripts};
+  MatchRobot robot{*config, player.scripts};
   if (!player.log.empty()) {
     auto log = cli::LogFile::create(player.log, robot.config, cli::parameterNotes(player.config),
                                     cli::ImagesKept::none,

@@ -15,8 +15,8 @@ namespace kelpie::studio {
 
 class MatchLink {
  public:
-  MatchLink(body::FieldDescription field, std::vector<host::AgentHello> robots)
-      : field_(std::move(field)), robots_(std::move(robots)) {}
+  MatchLink(const body::FieldDescription& field, std::vector<host::AgentHello> robots)
+      : field_(field), robots_(std::move(robots)) {}
 
   // An error says why the match cannot obey; else it will, unless it is over.
   Status order(const sim::LiveOrder& order);

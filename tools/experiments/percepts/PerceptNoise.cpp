@@ -91,9 +91,9 @@ struct Found {
 // One frame of one robot beside the truth.
 class Frame {
  public:
-  Frame(const FrameInput& input, const FrameOutput& output, const Moment& moment, std::size_t self,
+  Frame(const FrameOutput& output, const Moment& moment, std::size_t self,
         const body::FieldDescription& field, Found& found)
-      : input_(input), output_(output), moment_(moment), self_(self), field_(field), found_(found) {
+      : output_(output), moment_(moment), self_(self), field_(field), found_(found) {
     view_.turnTo(moment, self, output.body.camera);
   }
   void judge() {
@@ -196,7 +196,6 @@ class Frame {
     if (all > known) found_.falseOnes["robot"] += static_cast<int>(all - known);
   }
 
-  const FrameInput& input_;
   const FrameOutput& output_;
   const Moment& moment_;
   std::size_t self_;
@@ -264,7 +263,7 @@ Status judgeRobot(const std::string& log, const std::vector<sim::TruthFrame>& tr
     if (now == truth.end() || now == truth.begin() || isCarried(*(now - 1), *now)) continue;
     std::size_t self = 0;
     const Moment moment = momentOf(*(now - 1), *now, *input, self);
-    Frame(*input, *output, moment, self, field, found).judge();
+    Frame(*output, moment, self, field, found).judge();
   }
   return reader->status();
 }
