@@ -8,6 +8,7 @@
 
 #include "robot/agent/log/FrameMessages.h"
 #include "robot/core/types/FrameOutput.h"
+#include "tools/experiments/match/AgentFrames.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -49,23 +50,14 @@ PlayedMoment* momentOf(const FrameInput& input, Played& played) {
 }
 
 Status readAgent(const std::string& path, Played& played) {
-  auto reader = LogReader::open(path);
-  if (!reader) return Error{reader.error()};
-  const auto input = std::make_unique<FrameInput>();
-  const auto output = std::make_unique<FrameOutput>();
-  LogMessage message;
-  bool known = false;
-  while (reader->next(message)) {
-    if (agent::isFrameInput(message.topic())) known = agent::decodeFrameInput(message, *input).ok();
-    if (message.topic() != kFrameOutputTopic || !known || !decodeAs(message, *output)) continue;
-    PlayedMoment* moment = momentOf(*input, played);
-    if (moment == nullptr) continue;
+  return eachAgentFrame(path, [&](const FrameInput& input, const FrameOutput& output) {
+    PlayedMoment* moment = momentOf(input, played);
+    if (moment == nullptr) return;
     moment->seen = true;
-    moment->ball = output->percepts.ball;
-    moment->motion = input->motion;
-    moment->command = output->command;
-  }
-  return reader->status();
+    moment->ball = output.percepts.ball;
+    moment->motion = input.motion;
+    moment->command = output.command;
+  });
 }
 
 }  // namespace

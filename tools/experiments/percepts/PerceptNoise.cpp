@@ -13,6 +13,7 @@
 #include "robot/core/types/FrameOutput.h"
 #include "tools/cli/Process.h"
 #include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/match/AgentFrames.h"
 #include "tools/experiments/team/TeamMatch.h"
 #include "tools/percepts/Shown.h"
 
@@ -247,25 +248,16 @@ bool isCarried(const sim::TruthFrame& before, const sim::TruthFrame& truth) {
 
 Status judgeRobot(const std::string& log, const std::vector<sim::TruthFrame>& truth,
                   const body::FieldDescription& field, Found& found) {
-  auto reader = LogReader::open(log);
-  if (!reader) return Error{reader.error()};
-  const auto input = std::make_unique<FrameInput>();
-  const auto output = std::make_unique<FrameOutput>();
-  LogMessage message;
-  bool known = false;
-  while (reader->next(message)) {
-    if (agent::isFrameInput(message.topic())) known = agent::decodeFrameInput(message, *input).ok();
-    if (message.topic() != kFrameOutputTopic || !known || !decodeAs(message, *output)) continue;
-    if (input->game.state != PlayState::playing || input->game.penalised) continue;
+  return eachAgentFrame(log, [&](const FrameInput& input, const FrameOutput& output) {
+    if (input.game.state != PlayState::playing || input.game.penalised) return;
     const auto now = std::lower_bound(
-        truth.begin(), truth.end(), input->time.us + kHalfExposureUs - 5000,
+        truth.begin(), truth.end(), input.time.us + kHalfExposureUs - 5000,
         [](const sim::TruthFrame& frame, std::int64_t us) { return frame.time.us < us; });
-    if (now == truth.end() || now == truth.begin() || isCarried(*(now - 1), *now)) continue;
+    if (now == truth.end() || now == truth.begin() || isCarried(*(now - 1), *now)) return;
     std::size_t self = 0;
-    const Moment moment = momentOf(*(now - 1), *now, *input, self);
-    Frame(*output, moment, self, field, found).judge();
-  }
-  return reader->status();
+    const Moment moment = momentOf(*(now - 1), *now, input, self);
+    Frame(output, moment, self, field, found).judge();
+  });
 }
 
 Status playOne(const cli::SessionOptions& session, Found& found) {

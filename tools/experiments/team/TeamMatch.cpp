@@ -7,6 +7,7 @@
 #include "robot/agent/log/FrameMessages.h"
 #include "robot/core/types/FrameOutput.h"
 #include "tools/cli/Process.h"
+#include "tools/experiments/match/AgentFrames.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -27,22 +28,14 @@ TeamFrame frameOf(const FrameInput& input, const FrameOutput& output) {
 }
 
 Status readRobot(const std::string& path, TeamMatch& match) {
-  auto reader = LogReader::open(path);
-  if (!reader) return Error{reader.error()};
-  const auto input = std::make_unique<FrameInput>();
-  const auto output = std::make_unique<FrameOutput>();
   TeamRobot robot;
-  LogMessage message;
-  bool known = false;
-  while (reader->next(message)) {
-    if (agent::isFrameInput(message.topic())) known = agent::decodeFrameInput(message, *input).ok();
-    if (message.topic() != kFrameOutputTopic || !known || !decodeAs(message, *output)) continue;
-    robot.team = input->game.team;
-    robot.player = input->game.player;
-    robot.frames.push_back(frameOf(*input, *output));
-  }
+  Status read = eachAgentFrame(path, [&](const FrameInput& input, const FrameOutput& output) {
+    robot.team = input.game.team;
+    robot.player = input.game.player;
+    robot.frames.push_back(frameOf(input, output));
+  });
   match.robots.push_back(std::move(robot));
-  return reader->status();
+  return read;
 }
 
 Status readWorld(const std::string& path, TeamMatch& match) {

@@ -4,17 +4,13 @@
 // against itself, counted from the traces of all robots (RuleCounter.h). A row whose situation did
 // not come is brought about by a staged scene. Rows, scenes, and why a row is nobody's to play:
 // thesis_rules.json.
-#include <algorithm>
 #include <fstream>
-#include <iterator>
-#include <memory>
 
-#include "robot/agent/log/FrameMessages.h"
-#include "robot/core/types/FrameOutput.h"
 #include "tools/cli/Process.h"
 #include "tools/experiments/challenge/Challenge.h"
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/match/AgentFrames.h"
 #include "tools/experiments/skills/Tries.h"
 #include "tools/experiments/team/RuleCounter.h"
 #include "tools/session/Session.h"
@@ -83,15 +79,10 @@ Expected<Table> readTable() {
 }
 
 Status countLog(const std::string& path, RuleCounter& counter) {
-  auto reader = LogReader::open(path);
-  if (!reader) return Error{reader.error()};
-  const auto output = std::make_unique<FrameOutput>();
-  LogMessage message;
   counter.beginRobot();
-  while (reader->next(message))
-    if (message.topic() == kFrameOutputTopic && decodeAs(message, *output))
-      counter.frame(output->command.trace);
-  return reader->status();
+  return eachAgentFrame(path, [&](const FrameInput&, const FrameOutput& output) {
+    counter.frame(output.command.trace);
+  });
 }
 
 Status countMatch(const cli::SessionOptions& session, RuleCounter& counter) {
