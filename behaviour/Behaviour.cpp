@@ -71,8 +71,10 @@ void fill(WorldFrame& frame, const BehaviourIn& in) {
   frame.field = in.field;
 }
 
-BehaviourState::BehaviourState(const std::string& scripts, const BehaviourState* beside)
-    : host_(std::make_unique<PythonHost>(scripts, beside ? beside->host_.get() : nullptr)) {}
+BehaviourState::BehaviourState(const std::string& scripts, const Constants& constants,
+                               const BehaviourState* beside)
+    : host_(std::make_unique<PythonHost>(scripts, constants,
+                                         beside ? beside->host_.get() : nullptr)) {}
 
 BehaviourState::~BehaviourState() = default;
 

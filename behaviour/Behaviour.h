@@ -25,8 +25,10 @@ class BehaviourState {
  public:
   // `scripts`: folder or zip with the behaviours (pycode/). A script that does not load leaves the
   // state usable: every step answers with the fallback and tries again when the file has changed.
+  // `constants`: what kelpie.constants holds, for good: behaviours read it when they are loaded.
   // `beside`: another one of this process, if there is one; both live and are used in one thread.
-  explicit BehaviourState(const std::string& scripts, const BehaviourState* beside = nullptr);
+  explicit BehaviourState(const std::string& scripts, const Constants& constants = {},
+                          const BehaviourState* beside = nullptr);
   ~BehaviourState();
   BehaviourState(const BehaviourState&) = delete;
   BehaviourState& operator=(const BehaviourState&) = delete;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be tuned in the host of the behaviours: not how the robot plays, which is in pycode/.
+// What can be tuned in the host of the behaviours, and the constants that a search may change.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
+#include "behaviour/Constants.h"
 #include "robot/core/Angle.h"
 #include "robot/core/Enumerations.h"
 #include "robot/core/fields/Fields.h"
@@ -49,6 +50,7 @@ struct Task {
 
 struct BehaviourParams {
   Task task;
+  Constants constants;
   // CPU seconds of one decide(). A sane script needs under a millisecond, so that a replay never
   // meets the limit; it only catches endless loops.
   double timeLimit = 0.25;
@@ -67,7 +69,8 @@ struct BehaviourParams {
   template <int = 0>
   static constexpr auto fields() {
     using P = BehaviourParams;
-    return fieldList(field("task", &P::task), field("timeLimit", &P::timeLimit, "s", 0.01, 10),
+    return fieldList(field("task", &P::task), field("constants", &P::constants),
+                     field("timeLimit", &P::timeLimit, "s", 0.01, 10),
                      field("heapLimit", &P::heapLimit, "MB", 1, 4000), field("reload", &P::reload),
                      field("reloadFrames", &P::reloadFrames, "", 1, 1000),
                      field("scanPeriod", &P::scanPeriod, "s", 0.5, 60),

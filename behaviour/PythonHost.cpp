@@ -5,6 +5,7 @@
 
 #include "behaviour/interpreter/Console.h"
 #include "behaviour/interpreter/Heap.h"
+#include "behaviour/views/GivenConstants.h"
 #include "behaviour/watch/HungExit.h"
 #include "behaviour/watch/Watchdog.h"
 
@@ -62,7 +63,8 @@ Rows rowsOf(PyObject* list) {
 
 }  // namespace
 
-PythonHost::PythonHost(const std::string& scripts, const PythonHost* beside)
+PythonHost::PythonHost(const std::string& scripts, const Constants& constants,
+                       const PythonHost* beside)
     : modules_(scripts),
       interpreter_(beside != nullptr
                        ? beside->interpreter_
@@ -72,18 +74,18 @@ PythonHost::PythonHost(const std::string& scripts, const PythonHost* beside)
     report(interpreter_->error(), interpreter_->error());
     return;
   }
-  prepare(beside);
+  prepare(constants, beside);
   if (!world_) fail(Fallback::notLoaded);
   if (world_ && load()) modules_.keep();
 }
 
 PythonHost::~PythonHost() { tellLeftOut(printed_.leftOut()); }
 
-void PythonHost::prepare(const PythonHost* beside) {
+void PythonHost::prepare(const Constants& constants, const PythonHost* beside) {
   guard_ = modules_.guard();
   if (!guard_) return;
   kelpie_ = modules_.kelpie(guard_.get());
-  if (!kelpie_) return;
+  if (!kelpie_ || !giveConstants(kelpie_.get(), constants)) return;
   commandType_ = PythonRef(PyObject_GetAttrString(kelpie_.get(), "Command"));
   if (!listen() || !watch(beside)) return;
   types_ = std::make_unique<ViewTypes>();

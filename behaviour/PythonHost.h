@@ -25,7 +25,7 @@ namespace kelpie::behaviour {
 class PythonHost {
  public:
   // `beside`: another one, whose interpreter it shares.
-  explicit PythonHost(const std::string& scripts, const PythonHost* beside = nullptr);
+  PythonHost(const std::string& scripts, const Constants& constants, const PythonHost* beside);
   ~PythonHost();
   PythonHost(const PythonHost&) = delete;
   PythonHost& operator=(const PythonHost&) = delete;
@@ -42,7 +42,7 @@ class PythonHost {
   void say(const std::string& line);  // a script prints
 
  private:
-  void prepare(const PythonHost* beside);
+  void prepare(const Constants& constants, const PythonHost* beside);
   bool listen();
   bool watch(const PythonHost* beside);
   void tellLeftOut(std::uint32_t lines);

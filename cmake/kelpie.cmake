@@ -24,6 +24,11 @@ execute_process(
           ${CMAKE_SOURCE_DIR}/actuator/data/motions ${CMAKE_SOURCE_DIR}/robot/core/enumerations.toml
           ${KELPIE_GENERATED}
   COMMAND_ERROR_IS_FATAL ANY)
+set(KELPIE_CONSTANTS ${CMAKE_SOURCE_DIR}/behaviour/constants.py
+                     ${CMAKE_SOURCE_DIR}/behaviour/constants.toml)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${KELPIE_CONSTANTS})
+execute_process(COMMAND /usr/bin/python3 ${KELPIE_CONSTANTS} ${KELPIE_GENERATED}/behaviour/Constants.h
+                COMMAND_ERROR_IS_FATAL ANY)
 
 function(kelpie_flags target)
   target_compile_options(${target} PRIVATE ${KELPIE_WARNINGS} -ffp-contract=off)

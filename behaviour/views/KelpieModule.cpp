@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "behaviour/Constants.h"
 #include "behaviour/PythonEnumerations.h"
 #include "behaviour/views/PythonNames.h"
 #include "behaviour/views/WorldFrame.h"
@@ -133,6 +134,8 @@ class ClassWriter {
           << setters;
   }
 
+  void line(const char* statement) { text_ << "\n\n" << statement << "\n"; }
+
   std::string text() const { return text_.str(); }
 
  private:
@@ -150,17 +153,24 @@ class ClassWriter {
   std::set<std::string> done_;
 };
 
+// What behaviours need when they are loaded; the world's classes come behind it.
+std::string loadedText(ClassWriter& writer) {
+  writer.write<Constants>();
+  writer.line("constants = Constants()");
+  writer.write<Command>();
+  return writer.text();
+}
+
 }  // namespace
 
 std::string kelpieModuleText() {
   ClassWriter writer;
-  writer.write<Command>();
-  return enumsText() + writer.text();
+  return enumsText() + loadedText(writer);
 }
 
 std::string kelpieStandInText() {
   ClassWriter writer;
-  writer.write<Command>();
+  loadedText(writer);
   writer.write<WorldFrame>();
   return std::string(
              "# SPDX-License-Identifier: Apache-2.0\n"

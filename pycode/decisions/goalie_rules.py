@@ -2,22 +2,25 @@
 # The tests of the goalie's rules (thesis 2006 algorithm 4.1), each of a GoalieSituation and of the
 # state that is played: why its state is due, with the numbers that decided, or None. They keep and
 # change nothing. The order is the player's (players/goalie.py).
+import kelpie
+
 from lib import rulebook
 from lib.goalie_places import beyond_box
 from situation import opponents
 from situation.shot import coming, speed
 from situation.shot_watch import NAMES
 
-BETWEEN_PAWS = 1.2   # [0.6, 2.4] s that a ball may lie between the paws; the rules allow 3
-COMING = 10.0        # [5, 20] cm/s of a ball that is moved into the way of,
+CONSTANTS = kelpie.constants.goalie  # behaviour/constants.toml: defaults and ranges
+BETWEEN_PAWS = CONSTANTS.between_paws  # s that a ball may lie between the paws; the rules allow 3
+COMING = CONSTANTS.coming  # cm/s of a ball that is moved into the way of,
 COMING_BESIDE = 15.0  # cm beside the mouth at most,
 COMING_SHORT = 25.0  # cm short of the line at most,
 COMING_LATEST = 4.0  # s; a ball that takes longer is guarded against as one that lies
-STANDS = 0.35        # [0.175, 0.7] s after a motion: the ball seen by a robot that lies or gets up
+STANDS = CONSTANTS.stands  # s after a motion: the ball seen by a robot that lies or gets up
                      # is up to 8 cm off, and the kick misses
-NEAR = 8.0           # [4, 16] cm beyond the box; the neck stays in, the legs reach farther
+NEAR = CONSTANTS.near  # cm beyond the box; the neck stays in, the legs reach farther
 LEAVE = 15.0         # cm beyond the box; thesis 2004 section 4.2.2
-FAST = 30.0          # [15, 60] cm/s; a faster ball is not run after
+FAST = CONSTANTS.fast  # cm/s; a faster ball is not run after
 
 
 def faces_wrong(now, playing):

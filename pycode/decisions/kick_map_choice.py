@@ -14,17 +14,18 @@ from lib.geom import wrap
 from situation.aim import mouth, size
 from situation.infrared import somebody_near
 
-NEARLY = 0.93          # [0.465, 1] of the aimed kick's utility: turning on costs time
-STILL_GOOD = 0.8       # [0.4, 1] of it for who has stopped for the kick: gaps are seen unsteadily
+CONSTANTS = kelpie.constants.kick_map  # behaviour/constants.toml: defaults and ranges
+NEARLY = CONSTANTS.nearly  # of the aimed kick's utility: turning on costs time
+STILL_GOOD = CONSTANTS.still_good  # of it for who has stopped for the kick: gaps are unsteady
 AIM_SD = 7.0           # deg beside the map's: of 40 kicks from matches 7.5, the map 1.0
-NEARNESS = 0.6         # [0.3, 1] utility of a ball in the goal line's middle, if a goal is 1; it
+NEARNESS = CONSTANTS.nearness  # utility of a ball in the goal line's middle, if a goal is 1; it
                        # falls to 0
 FALL_OFF = 650.0       # cm away, about the field's diagonal
-OUT = 0.5              # [0.25, 1] share of that utility which a ball out of the field keeps
+OUT = CONSTANTS.out  # share of that utility which a ball out of the field keeps
 OWN_END = 45.0         # cm from the own goal line: a ball that goes there has a utility
 OWN_END_UTILITY = -0.5  # of so much, since it may be an own goal
-LET_GO = 0.7           # [0.35, 1] share of its place's utility that a ball let go keeps
-FREED = 0.4            # [0.2, 0.8] share of the kicks that move the ball farther than 30 cm with
+LET_GO = CONSTANTS.let_go  # share of its place's utility that a ball let go keeps
+FREED = CONSTANTS.freed  # share of the kicks that move the ball farther than 30 cm with
                        # somebody under the nose: 11 of 29 in two matches, of the others 59 of 76
 BESIDE = 30.0          # deg
 # Held kicks straight ahead, as far as the map knows.

@@ -13,6 +13,7 @@ from decisions.kick_map_choice import AHEAD, utility_of_way
 from lib import kick_table
 from lib.geom import wrap
 
+CONSTANTS = kelpie.constants.leaf  # behaviour/constants.toml: defaults and ranges
 # The leaves that kick a free ball, those whose kick goes farthest first.
 FREE = {kelpie.KICKS[kick].leaf: kick
         for kick in sorted(kick_table.kicks(False), key=lambda kick: -kelpie.KICKS[kick].distance)
@@ -20,11 +21,11 @@ FREE = {kelpie.KICKS[kick].leaf: kick
 GRAB = 'grab'
 WAYS = (GRAB, *FREE)
 SECOND = 0.02          # utility of a second: a kick of 170 cm takes 7 s, the walk after it counted
-KEEP = 0.04            # [0.02, 0.08] utility by which another leaf must be better than the one that
+KEEP = CONSTANTS.keep  # utility by which another leaf must be better than the one that
                        # is played
-GRAB_S = 1.3           # [0.65, 2.6] grab, feel, stand, kick
+GRAB_S = CONSTANTS.grab  # grab, feel, stand, kick
 TURN_S = 1.0 / 100.0   # of a degree with the ball
-FREE_S = 0.6           # [0.3, 1.2] steps to the ball's place
+FREE_S = CONSTANTS.free  # steps to the ball's place
 LINE = 35.0            # cm before the goal line, between the posts: the ball is run in
 
 

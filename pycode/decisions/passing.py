@@ -3,6 +3,8 @@
 # come): the kick of the map (data/kick_map.py) whose ball comes to rest at a mate that is better
 # placed, on a way that no opponent is near. Keeps nothing. A mate is taken to stay where it says it
 # is; what it believes of its own place adds to where the ball may be missed.
+import kelpie
+
 import math
 
 from decisions.kick_map_choice import FALL_OFF, NEARNESS
@@ -12,6 +14,7 @@ from lib.geom import clamp, wrap
 from lib.paths import goal_of, point_of
 from situation.keep_off import Lane
 
+CONSTANTS = kelpie.constants.passing  # behaviour/constants.toml: defaults and ranges
 REACH = 60.0         # cm from the mate to where the ball comes to rest: 2 s of walking
 ON_WAY = 35.0        # cm from the ball's way: it is stopped by who stands there
 BLOCKED = 25.0       # cm from an opponent to the ball's way: half a body and the ball
@@ -20,7 +23,7 @@ SEEN_S = 2.0         # s; of opponents
 SHOT_FROM = 230.0    # cm from which a ball reaches the goal (skills/ball/grab_dribble.py)
 SHOT = 0.5           # utility of a shot at the goal from the line
 LOST = 0.25          # share of a utility that is lost in taking the ball
-MIN_GAIN = 0.08      # [0.04, 0.16] by which a pass must have more utility than the own kick
+MIN_GAIN = CONSTANTS.min_gain  # by which a pass must have more utility than the own kick
 
 
 def utility_at(world, place) -> float:

@@ -7,15 +7,16 @@ import math
 
 import kelpie
 
-STRIKER_SIDE = 60.0      # [30, 120] cm from the side line (G21)
-BEHIND_BALL = 80.0       # [40, 160] algorithms 4.7 and 4.8: yOffset
+CONSTANTS = kelpie.constants.positions  # behaviour/constants.toml: defaults and ranges
+STRIKER_SIDE = CONSTANTS.striker_side  # cm from the side line (G21)
+BEHIND_BALL = CONSTANTS.behind_ball  # algorithms 4.7 and 4.8: yOffset
 LESS_BEHIND = 0.65       # of it, in the middle zone
 FRONT = 2.0 / 3.0        # of the length; the text has 0.6 (G19)
 SUPPORTER_SIDE = 70.0  # cm
 SUPPORTER_MIN_Y = 120.0  # cm
-DEFENDER_BEHIND = 120.0  # [60, 240] cm
+DEFENDER_BEHIND = CONSTANTS.defender_behind  # cm
 BEFORE_BOX = 20.0  # cm
-DEFENDER_REACH = 60.0    # [30, 120] cm from the middle, at most
+DEFENDER_REACH = CONSTANTS.defender_reach  # cm from the middle, at most
 DROP_IN_Y = 300.0        # beyond it the defender stands behind the drop-in points,
 DROP_IN_SIDE = 0.35      # for a ball in those shares of the width
 DROP_IN_X = 50.0  # cm

@@ -12,6 +12,7 @@ from lib import rulebook
 from lib.paths import SILENT_S
 from situation import time_to
 
+CONSTANTS = kelpie.constants.roles  # behaviour/constants.toml: defaults and ranges
 SEES_S = 0.5         # s; facts-2005 section 7.1: "lost" for a ball that vision sees no more
 TIE_S = 0.06         # s; times that alike are a tie (symmetry break of facts-2005 section 7.1)
 # s without an attacker in which the quickest alone takes the ball: who gave it up, and a third who
@@ -20,7 +21,7 @@ HAND_OVER_S = 0.5
 # Ours: a mate takes the ball over when it has been quicker for so long, and who attacks gives it up
 # when the mate has said so: of a match 1.7 % had no attacker while it was only expected to.
 CHALLENGE_S = 0.15
-HOME_S = 1.0         # [0.5, 2] bonus of the defender of the last frame (facts-2005 section 7.1)
+HOME_S = CONSTANTS.home  # bonus of the defender of the last frame (facts-2005 section 7.1)
 EVERY_FRAMES = 3     # a tenth of a second: the team is informed at 6 Hz
 NAMES = kelpie.ROLE_NAMES
 BEHIND = 3           # goals

@@ -28,11 +28,12 @@ from skills.head.track_ball import believed
 from skills.walk.avoid_own_box import AvoidOwnBox
 from skills.walk.paw_stuck import PawStuck, paw_pushes
 
-LOST_FRAMES = 15        # [8, 30] the ball is looked for after so many without a sight,
+CONSTANTS = kelpie.constants.attacker  # behaviour/constants.toml: defaults and ranges
+LOST_FRAMES = CONSTANTS.lost_frames  # the ball is looked for after so many without a sight,
 LOST_NEAR_FRAMES = 40   # or so many where the chin hides it
 CHIN = 20.0             # cm
-SETTLED = 35.0          # [17.5, 70] cm to the ball; nearer, a leaf is kept for some frames
-KEPT_FRAMES = 12  # [6, 24] frames
+SETTLED = CONSTANTS.settled  # cm to the ball; nearer, a leaf is kept for some frames
+KEPT_FRAMES = CONSTANTS.kept_frames  # frames
 LOOK_AFTER = 100.0, 0.0     # cm, deg: where a kicked ball is looked for
 SEEN_S = 0.1            # s: a sighting that gps refused is none
 WATCH = 0.4             # s after a kick

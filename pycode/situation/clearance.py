@@ -11,6 +11,7 @@ from lib.geom import Point, wrap
 from lib.goalie_places import UP_FIELD, off_own_goal
 from situation.shot import speed
 
+CONSTANTS = kelpie.constants.clearance  # behaviour/constants.toml: defaults and ranges
 OFF_GOAL = 25.0      # deg from the own goal's cone, at least,
 SDS = 3.0            # and so many sd of the kick's direction
 SEEN = 0.2           # s; of kicks at balls unseen for longer hardly one hit
@@ -20,14 +21,14 @@ BESIDE = 2.0         # cm about a kick's window,
 FARTHEST = 16.0      # and cm ahead at most
 LATENCY = 0.05, 0.2  # s from asking to the motion's beginning, at least and at most
 STRIKE = 0.2         # s from there to the strike: a kick's last key frame ends after 0.18 to 0.24
-UTILITY = 0.45       # [0.225, 0.9] of a kick that is done as the ball lies
-FAR = 180.0          # [90, 360] cm that are as good as farther
+UTILITY = CONSTANTS.utility  # of a kick that is done as the ball lies
+FAR = CONSTANTS.far  # cm that are as good as farther
 UPENN = kelpie.UPENN_LEFT, kelpie.UPENN_RIGHT   # the goalie's kicks in 2006
-SIDEWAYS = 0.35      # [0.175, 0.7] utility lost by a kick across the field
-ACROSS = 0.85        # [0.425, 1] share left of one that goes past the goal's middle
+SIDEWAYS = CONSTANTS.sideways  # utility lost by a kick across the field
+ACROSS = CONSTANTS.across  # share left of one that goes past the goal's middle
 OPPONENT = 70.0      # cm to an opponent that stands in the way,
 OPPONENT_DEG = 25.0  # deg off it
-HELD = 0.3           # [0.15, 0.6] share left of a kick at an opponent: it comes back, or gets 10 cm
+HELD = CONSTANTS.held  # share left of a kick at an opponent: it comes back, or gets 10 cm
 HELD_DEG = 106.0     # deg to which a kick to a side then goes (docs/physical-body.md)
 
 

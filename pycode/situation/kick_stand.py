@@ -4,6 +4,8 @@
 # has the highest utility. choose() keeps nothing; what it answers goes in again, since a place is
 # kept for half a second unless the ball rolls on. Fails in scrums, where the ball moves with
 # whoever pushes it.
+import kelpie
+
 import math
 
 from lib import kick_table, rulebook
@@ -12,12 +14,13 @@ from lib.goalie_places import MARGIN, UP_FIELD, beyond_box, direction, middle, p
 from lib.paths import point_of
 from situation.clearance import Clearance, kicks
 
+CONSTANTS = kelpie.constants.kick_stand  # behaviour/constants.toml: defaults and ranges
 TURNS = (0.0, -20.0, 20.0, -45.0, 45.0, -70.0, 70.0)  # deg from the way to the ball
 PACE = 26.0         # cm/s: what a place costs in time,
 PACE_TURN = 120.0   # deg/s
-ASTERN = 1.5        # [0.75, 3] s for a place beyond the ball: the way leads round it
-UTILITY = 1.2       # [0.6, 2.4] s that a clearance of utility 1 may take longer than one of 0
-CHOSEN = 0.3        # [0.15, 0.6] s that the place of before may take longer
+ASTERN = CONSTANTS.astern  # s for a place beyond the ball: the way leads round it
+UTILITY = CONSTANTS.utility  # s that a clearance of utility 1 may take longer than one of 0
+CHOSEN = CONSTANTS.chosen  # s that the place of before may take longer
 AGAIN = 0.5         # s after which the place is chosen anew,
 MOVED = 6.0         # or cm that the ball has rolled
 LANDMARKS = 75.0    # deg from up-field: three kicks at a ball in the corner, with no landmark in

@@ -7,22 +7,23 @@ import kelpie
 from lib import rulebook
 from situation.shot import Shot, coming
 
+CONSTANTS = kelpie.constants.shot_watch  # behaviour/constants.toml: defaults and ranges
 # Facts-2005 section 7.2, in cm/s and s; what differs says why.
-SPEED = 35.0             # [17.5, 70] cm/s. A slower ball is walked to, it leaves the time;
+SPEED = CONSTANTS.speed  # cm/s. A slower ball is walked to, it leaves the time;
 SPEED_2005 = 12.0        # cm/s
 SOONEST = 0.1            # s, 3 frames; later than that no block is in time
 LATEST = 0.8             # s, 27 frames; before it, walk
 CENTRE = 9.0             # cm to the side, to which the wide block is right
 REACH = 36.0             # cm; block_left covers 32 (docs/physical-body.md) and a radius
 REACH_2005 = 30.0        # cm
-STAND_SPEED = 160.0      # [80, 320] cm/s; up to there a ball is stopped standing, if that is
+STAND_SPEED = CONSTANTS.stand_speed  # cm/s; up to there a ball is stopped standing, if that is
                          # enough: on its feet the goalie clears before the attacker comes, but a
                          # block takes 1.7 s. Of 96 balls 3 went in, 7 when every one was blocked
-STAND = 5.0              # [2.5, 10] cm covered by who stands,
-STEP = 20.0              # [10, 40] cm/s of a side step,
+STAND = CONSTANTS.stand  # cm covered by who stands,
+STEP = CONSTANTS.step  # cm/s of a side step,
 STEP_LATE = 0.25         # s until it begins
 BESIDE = 6.0             # cm beside the mouth: the velocity is off by some degrees
-SHORT = 10.0             # [5, 20] cm; a ball that would stop that short of the line may still go in
+SHORT = CONSTANTS.falls_short  # cm; a ball that would stop that short of the line may still go in
 SEEN = 0.12              # s; a ball unseen for longer is not judged
 FRAMES = 2               # in a row that say so
 FASTEST = 240.0          # cm/s; kicks go 2.2 m, which takes 190. What is faster was lost and found

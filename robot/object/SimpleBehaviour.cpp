@@ -24,7 +24,8 @@ class PythonHost {
   RecentReports reports;  // so does this
 };
 
-BehaviourState::BehaviourState(const std::string& /*scripts*/, const BehaviourState* /*beside*/)
+BehaviourState::BehaviourState(const std::string& /*scripts*/, const Constants& /*constants*/,
+                               const BehaviourState* /*beside*/)
     : host_(std::make_unique<PythonHost>()) {}
 
 BehaviourState::~BehaviourState() = default;

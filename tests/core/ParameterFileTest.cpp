@@ -137,6 +137,15 @@ TEST_F(ParameterFile, AProgramSetsOneNumberByItsKey) {
   EXPECT_EQ(set.changes()[0].source, "program");
 }
 
+TEST_F(ParameterFile, AProgramSetsOneMeasureWithItsUnit) {
+  ASSERT_TRUE(set.assign("toy.speed", "25cm/s"));
+  EXPECT_EQ(params.speed, 25.0);
+  EXPECT_FALSE(set.assign("toy.speed", "25"));
+  EXPECT_FALSE(set.assign("toy.speed", "25deg"));
+  EXPECT_FALSE(set.assign("toy.share", "25cm"));
+  EXPECT_EQ(params.speed, 25.0);
+}
+
 TEST_F(ParameterFile, WhatAProgramCannotSetIsRefusedAndStaysAsItWas) {
   for (const char* key : {"toy.love", "toy", "toy.gains", "toy.spots", "toy.speed"})
     EXPECT_FALSE(set.assign(key, 1)) << key;

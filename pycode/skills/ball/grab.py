@@ -15,15 +15,16 @@ from situation.infrared import near
 from skills.ball.hold import carry
 from skills.head.track_ball import TrackBall
 
+CONSTANTS = kelpie.constants.grab  # behaviour/constants.toml: defaults and ranges
 TURN_GAIN = 0.9          # Alg of section 6.3.3: the heading less 10 %, against over-turning
 TURN_SPEED = 120.0       # deg/s while it walks ahead,
 SPIN_SPEED = 200.0       # and on the spot with the turning walk,
 SPIN_FROM = 50.0         # deg: for a ball farther off,
 SPIN_UNTIL = 30.0        # until it is no farther than this
-FAST_FROM = 33.0         # [16.5, 66] cm: from there on the fast walk, if the ball is ahead
+FAST_FROM = CONSTANTS.fast_from  # cm: from there on the fast walk, if the ball is ahead
 FAST_WITHIN = 20.0       # deg,
 FAST_UNTIL = 30.0        # until it is farther
-CLOSING = 31.0           # [15.5, 62] cm/s at least, ball ahead: slower, and the jaw meets the ball
+CLOSING = CONSTANTS.closing  # cm/s at least, ball ahead: slower, and the jaw meets the ball
 SPEED = 36.0             # cm/s
 
 PREDICTED = 6            # frames

@@ -21,9 +21,10 @@ from skills.motion.kick import Kick
 from skills.motion.release import Release
 from skills.walk.step_back import StepBack
 
-TIME_MARGIN = 0.8       # s that are left of the rules' clock (skills/ball/grab.py); a grabbed ball
-                        # lies in the arms 0.1 s after it was asked for, a stop takes 0.4 s at most
-                        # and a kick 0.41 until the ball is gone: 2.9 of 3 s
+CONSTANTS = kelpie.constants.dribble  # behaviour/constants.toml: defaults and ranges
+TIME_MARGIN = CONSTANTS.time_margin  # s that are left of the rules' clock (skills/ball/grab.py);
+                        # a grabbed ball lies in the arms 0.1 s after it was asked for, a stop
+                        # takes 0.4 s at most and a kick 0.41 until the ball is gone: 2.9 of 3 s
 BLOCKED_MARGIN = 1.3    # s of it with somebody ahead, where the kicks of the map are used: three
                         # of five against who is within 25 cm leave the ball in the arms
 WAY_MARGIN = 15.0       # cm less by odometry from the place of the grab than the rules allow; a
@@ -38,15 +39,15 @@ STILL_TURN = 15.0       # deg/s; out of a turn balls went 6 deg off, out of a
 TURN_GAIN = 4.0         # deg/s per deg
 MIN_TURN = 25.0         # deg/s: the dribble walk hardly turns slower
 DELAY = 0.13            # s from a command to the body's turn
-CARRY_UNTIL = 1.8       # [0.9, 3.6] s: later there is no time for a way that matters
-CARRY_TO = 65.0         # [32.5, 130] cm to the goal from which carrying on helps no more: of 52
+CARRY_UNTIL = CONSTANTS.carry_until  # s: later there is no time for a way that matters
+CARRY_TO = CONSTANTS.carry_to  # cm to the goal from which carrying on helps no more: of 52
                         # kicks from up to 90 cm 9 were goals, of 44 from 90 to 120 one
-CARRY_FROM = 230.0      # [115, 460] and beyond which a kick does not reach the goal anyway
+CARRY_FROM = CONSTANTS.carry_from  # cm beyond which a kick does not reach the goal anyway
 SEARCH_Y = 400.0        # cm; from here on the goal is turned for more slowly (G39)
 SEARCH_TURN = 50.0  # deg/s,
 SEARCH_TURN_FRONT = 40.0  # deg/s as the thesis has it,
 OVER_TURN_Y = 200.0     # cm; up to here a goal that the pose faces and nobody sees is turned on for
-OVER_TURN = 8           # [4, 16] frames (at most 50 in facts-2005 section 7.2): 13 deg, a pose's
+OVER_TURN = CONSTANTS.over_turn  # frames (at most 50 in facts-2005 section 7.2): 13 deg, a pose's
                         # error
 EDGE = 22.0             # cm from a line: move away from it before anything else
 OFF_EDGE = 6.0          # cm farther, where that is walked

@@ -9,7 +9,8 @@ namespace kelpie::agent {
 FrameLoop::FrameLoop(const AgentConfig& config, const std::string& scripts, const FrameLoop* beside)
     : config_(config),
       vision_(config.calibration),
-      behaviour_(scripts, beside != nullptr ? &beside->behaviour_ : nullptr) {
+      behaviour_(scripts, config.behaviour.constants,
+                 beside != nullptr ? &beside->behaviour_ : nullptr) {
   shareField(config_);
   gps::prepare(config_.gps, gps_);
 }

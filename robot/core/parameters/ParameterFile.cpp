@@ -164,15 +164,30 @@ Status ParameterSet::overlay(const std::string& path) {
   return Done{};
 }
 
-Status ParameterSet::assign(const std::string& key, double number) {
+Expected<Parameter*> ParameterSet::single(const std::string& key) {
   const auto found = std::find_if(parameters_.begin(), parameters_.end(),
                                   [&](const Parameter& p) { return p.key == key; });
   if (found == parameters_.end()) return Error{"unknown key " + key};
   if (found->isSequence || found->kind == Kind::list) return Error{key + ": takes an array"};
-  const bool truth = found->kind == Kind::boolean && (number == 0.0 || number == 1.0);
-  const Expected<double> value = truth ? Expected<double>(number) : bareNumber(*found, number);
+  return &*found;
+}
+
+Status ParameterSet::assign(const std::string& key, double number) {
+  const auto found = single(key);
+  if (!found) return Error{found.error()};
+  const bool truth = (*found)->kind == Kind::boolean && (number == 0.0 || number == 1.0);
+  const Expected<double> value = truth ? Expected<double>(number) : bareNumber(**found, number);
   if (!value) return Error{value.error()};
-  found->set({*value});
+  (*found)->set({*value});
+  return Done{};
+}
+
+Status ParameterSet::assign(const std::string& key, const std::string& measure) {
+  const auto found = single(key);
+  if (!found) return Error{found.error()};
+  const Expected<double> value = numberWithUnit(**found, measure);
+  if (!value) return Error{value.error()};
+  (*found)->set({*value});
   return Done{};
 }
 

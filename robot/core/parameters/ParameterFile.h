@@ -57,6 +57,8 @@ class ParameterSet {
   Status overlay(const std::string& path);
   // Sets one parameter that is a single number or yes or no, from the program.
   Status assign(const std::string& key, double number);
+  // The same of a number with its unit: "80cm".
+  Status assign(const std::string& key, const std::string& measure);
   std::vector<ParameterChange> changes() const;
   // Hash of all names, units, ranges and values: equal hashes, equal parameters.
   std::uint64_t hash() const;
@@ -69,6 +71,7 @@ class ParameterSet {
   };
 
   void add(const std::string& section, const MemberType& type, void* params);
+  Expected<Parameter*> single(const std::string& key);
 
   std::vector<Parameter> parameters_;
   std::vector<Section> sections_;

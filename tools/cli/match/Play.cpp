@@ -465,7 +465,7 @@ void addPlay(CommandLine& app, int& code) {
   command.option("--params", session.params, "TOML files, general to specific")
       .check(existingFile());
   command.option("--set", session.set,
-                 "One parameter each, over the files': KEY=NUMBER, or true or false");
+                 "One parameter each, over the files': KEY=NUMBER or KEY=80cm, or true or false");
   command.option("--colour-table", session.colourTable, "Colour table file").check(existingFile());
   command.option("--ring", session.ring, "Ring correction: nominal, none, 2006 or a file")
       .showDefault();

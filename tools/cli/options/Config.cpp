@@ -42,17 +42,19 @@ void addSections(ParameterSet& set, agent::AgentConfig& config) {
   set.add("game", config.game);
 }
 
-// KEY=NUMBER, or true or false.
+// KEY=NUMBER, with the key's unit if it has one, or true or false.
 Status setParameter(const std::string& words, ParameterSet& set) {
   const std::size_t equals = words.find('=');
+  const std::string key = words.substr(0, equals);
   const std::string value = equals == std::string::npos ? "" : words.substr(equals + 1);
   double number = value == "true" ? 1.0 : 0.0;
   const bool truth = value == "true" || value == "false";
   const char* const end = value.data() + value.size();
   const auto [rest, error] = std::from_chars(value.data(), end, number);
-  if (!truth && (error != std::errc() || rest != end))
+  if (!truth && error != std::errc())
     return Error{"--set " + words + ": expected KEY=NUMBER, or true or false"};
-  const Status assigned = set.assign(words.substr(0, equals), number);
+  const bool measured = !truth && rest != end;
+  const Status assigned = measured ? set.assign(key, value) : set.assign(key, number);
   return assigned ? assigned : Status(Error{"--set " + words + ": " + assigned.error()});
 }
 
@@ -94,7 +96,7 @@ void addConfigOptions(CommandLine& command, ConfigOptions& options) {
   command.option("--init", options.initial, "Known start: x,y,heading in cm and degrees");
   command.option("--params", options.params, "TOML files, general to specific");
   command.option("--set", options.set,
-                 "One parameter each, over the files': KEY=NUMBER, or true or false");
+                 "One parameter each, over the files': KEY=NUMBER or KEY=80cm, or true or false");
 }
 
 Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
