@@ -85,6 +85,7 @@ void addMatch(const SessionOptions& options, const RunDirectory& runDirectory, W
     argv.insert(argv.end(), {"--radio-delay", std::to_string(options.radioDelay)});
   addEach("--note", options.notes, argv);
   if (options.rules) argv.insert(argv.end(), {"--rules", "--tell-time"});
+  if (options.fromPlay) argv.push_back("--from-play");
   if (options.live) argv.push_back("--plain-log");
   if (options.keepsLog())
     argv.insert(argv.end(), {"--truth", partPath(options, runDirectory, "world.mcap")});

@@ -34,7 +34,8 @@ struct SessionOptions {
   std::string field = "2006";
   std::string team = "red";      // of the robot that is watched,
   int player = 1;                // its number
-  bool rules = false;            // a referee who knows more than goals and balls out
+  bool rules = false;            // a referee who knows more than goals and balls out,
+  bool fromPlay = false;         // who lets play go on as it stands; `goals` end it
   std::string radio = "world";   // or udp, of this machine; none: all packets are lost
   double radioLoss = -1.0;       // share of packets; below 0: the world's
   double radioDelay = -1.0;      // s under way; so

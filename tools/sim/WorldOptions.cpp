@@ -62,6 +62,8 @@ void addWorldOptions(cli::CommandLine& app, WorldOptions& options) {
            "with --rules: time, state and score twice a simulated second");
   app.flag("--rules", options.world.referee.rules,
            "a referee who knows more than goals, balls out and the end");
+  app.flag("--from-play", options.world.referee.fromPlay,
+           "with --rules: no kick-off and one half, play goes on as it stands; --goals end it");
   app.option("--radio-loss", options.world.radio.loss, "share of packets that are lost")
       .check(cli::inRange(0.0, 1.0));
   app.option("--radio-delay", options.world.radio.delay, "s under way at least")
@@ -87,7 +89,8 @@ WorldParams worldParams(const WorldOptions& options) {
 Expected<body::FieldDescription> fieldOf(const WorldOptions& options) {
   auto field = body::fieldDescription(options.field);
   if (field && options.world.referee.rules)
-    field->rules.halfTime = 0.5 * options.world.referee.seconds;
+    field->rules.halfTime =
+        (options.world.referee.fromPlay ? 1.0 : 0.5) * options.world.referee.seconds;
   return field;
 }
 

@@ -24,7 +24,7 @@ struct Match {
   RuledMatch match;
   std::vector<MatchEvent> events;
 
-  explicit Match(double halfTime = 600.0) : match(withHalf(halfTime), kRed) {
+  explicit Match(double halfTime = 600.0) : match(withHalf(halfTime), clockFor(kRed)) {
     field = withHalf(halfTime);
     for (const TeamColour team : {kRed, kBlue})
       for (std::uint8_t number = 1; number <= 4; ++number) {
@@ -76,6 +76,24 @@ TEST(RuledMatch, TheWhistleComesAfterReadyAndSetWithTheBallInTheMiddle) {
   ASSERT_TRUE(match.until(PlayState::playing));
   EXPECT_NEAR(match.scene.time.seconds(), 10.0, 0.05);
   EXPECT_EQ(match.last(EventKind::placed), nullptr);
+}
+
+TEST(RuledMatch, FromPlayTheBallStaysWhereItIsAndThereIsOneHalf) {
+  MadeScene scene;
+  scene.with(kRed, 2, {100.0, 100.0});
+  scene.ball = {{60.0, 320.0}, {}};
+  Score score;
+  RuledMatch match(Match::withHalf(2.0), clockInPlay(kRed));
+  for (int i = 0; i < 100; ++i) {
+    scene.time = scene.time + TimeUs{kTickUs};
+    EXPECT_FALSE(match.step(scene, score).ball);
+    EXPECT_EQ(match.clock().state, PlayState::playing);
+  }
+  while (scene.time.seconds() < 2.1) {
+    scene.time = scene.time + TimeUs{kTickUs};
+    match.step(scene, score);
+  }
+  EXPECT_TRUE(match.finished());
 }
 
 TEST(RuledMatch, WhoStandsWhereItMayNotIsPutElsewhereByHand) {

@@ -28,8 +28,10 @@
 #include "tools/league/JournalLines.h"
 #include "tools/league/Run.h"
 #include "tools/league/Table.h"
+#include "tools/session/SceneSession.h"
 #include "tools/session/Session.h"
 #include "tools/session/Teams.h"
+#include "tools/sim/staging/Scenes.h"
 
 namespace kelpie::cli {
 namespace {
@@ -40,6 +42,7 @@ struct LeagueOptions {
   std::vector<std::string> folders;
   std::string out = "out/league";
   std::string robots = "4v4";
+  std::string scene;  // of `once`: a situation in place of a match
   league::LeaguePlan plan;
   int workers = 0;  // 0: one for two cores
   bool physical = false;
@@ -132,7 +135,8 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const LeagueOpti
   session.physical = !match.fast;
   session.percepts = options.percepts;
   session.set = {kNoReload};
-  const Status used = useTeams(*plan, session);
+  const Status used =
+      options.scene.empty() ? useTeams(*plan, session) : useScene(options.scene, *plan, session);
   if (!used) return voided(used.error());
   SessionTalk talk;
   talk.line = [&](const std::string& line) { complaints.hear(match, line); };
@@ -305,8 +309,15 @@ void addOptions(CommandLine& command, LeagueOptions& options) {
         std::tuple{"--scheduler", &options.scheduler,
                    "tcp://HOST:PORT of other machines' workers"}})
     command.option(name, *value, help).needs(until);
-  command.flag("--once", options.once, "One match of two teams, the first red, as JSON")
-      .excludes("--until");
+  auto once = command.flag("--once", options.once, "One match of two teams, the first red, as JSON")
+                  .excludes("--until");
+  command
+      .option("--scene", options.scene,
+              "In its place a situation of a match, drawn by --seed (kelpie play --scene)")
+      .check(oneOf(sim::sceneKinds()))
+      .needs(once)
+      .excludes("--minutes")
+      .excludes("--robots");
   command.flag("--about", options.about, "Plays nothing: what a match depends on, as JSON")
       .excludes("--until");
 }

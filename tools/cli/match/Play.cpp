@@ -23,9 +23,11 @@
 #include "tools/session/MatchLine.h"
 #include "tools/session/Others.h"
 #include "tools/session/PerceptSession.h"
+#include "tools/session/SceneSession.h"
 #include "tools/session/Session.h"
 #include "tools/session/SessionCommands.h"
 #include "tools/session/Teams.h"
+#include "tools/sim/staging/Scenes.h"
 
 namespace kelpie::cli {
 namespace {
@@ -43,6 +45,7 @@ struct PlayOptions {
   std::string logs = "watched";
   std::string opponent = "none";
   std::string robots;      // "4v4"; empty: the one robot, and its opponent
+  std::string scene;       // "corner"; empty: none
   std::string red, blue;   // folders of the teams
   std::string controller;  // "udp" or "udp:PORT"; empty: the world's referee rules
   sim::StagingWords staging;
@@ -189,6 +192,8 @@ void addNames(PlayOptions& options) {
 }
 
 Status addTeams(PlayOptions& options) {
+  if (!options.scene.empty())
+    return useScene(options.scene, {0, 0, options.red, options.blue}, options.session);
   if (options.robots.empty() && options.red.empty() && options.blue.empty()) return Done{};
   auto plan = teamPlan(options.robots.empty() ? "4v4" : options.robots);
   if (!plan) return Error{plan.error()};
@@ -221,6 +226,7 @@ Status addController(PlayOptions& options) {
 // The world would refuse the same, but only after the start.
 Status stage(PlayOptions& options) {
   SessionOptions& session = options.session;
+  if (!options.scene.empty()) return Done{};
   const auto staging = sim::stagingFrom(options.staging);
   if (!staging) return Error{staging.error()};
   session.staging = *staging;
@@ -411,15 +417,28 @@ void addTeamOptions(CommandLine& command, PlayOptions& options) {
   command.flag("--respawn", session.respawn, "An agent that dies is started again and plays on");
 }
 
+// Of a situation nothing else is to be said than who plays it.
+void addSceneOption(CommandLine& command, PlayOptions& options) {
+  auto scene = command
+                   .option("--scene", options.scene,
+                           "A situation of a match, drawn by --seed, until a goal or for 15 to 20 "
+                           "s: free-ball, contested, own-box, corner, ... (tools/sim/README.md)")
+                   .check(oneOf(sim::sceneKinds()));
+  for (const char* other : {"--robots", "--opponent", "--scenario", "--seconds", "--goals",
+                            "--place", "--ball", "--throw", "--take-ball", "--carry", "--deaf"})
+    scene.excludes(other);
+}
+
 // What was not said follows from what was.
 void settle(const CommandLine& command, PlayOptions& options) {
   SessionOptions& session = options.session;
   const auto said = [&](const char* option) { return command.count(option) > 0; };
   session.realTime = session.realTime || said("--game-controller") || options.watched.studio;
-  const bool teams = said("--robots") || said("--red") || said("--blue");
+  const bool teams = said("--robots") || said("--red") || said("--blue") || said("--scene");
   if (session.realTime && !said("--seconds")) session.seconds = kLongestMatch;
   if (said("--minutes")) session.seconds = 60.0 * options.minutes;
-  if ((teams || session.realTime) && !said("--goals")) session.goals = kMaxGoals;
+  if ((teams || session.realTime) && !said("--goals") && !said("--scene"))
+    session.goals = kMaxGoals;
   if (options.opponent != "none" && !said("--scenario")) session.scenario = "attack";
   if (options.logs == "all" && !said("--images")) options.images = "planes";
   if (session.percepts) options.noFilm = true;
@@ -496,6 +515,7 @@ void addPlay(CommandLine& app, int& code) {
   addTeamOptions(command, *options);
   addWatchOptions(command, options->watched);
   command.flag("--no-film", options->noFilm, "Leave out match.mp4");
+  addSceneOption(command, *options);
   command.callback([=, &code] {
     settle(command, *options);
     code = play(*options);

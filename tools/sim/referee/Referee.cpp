@@ -11,7 +11,7 @@ Referee::Referee(const RefereeParams& params, const body::FieldDescription& fiel
   if (params.controlled)
     controlled_.emplace(field);
   else if (params.rules)
-    ruled_.emplace(field, params.kickOff);
+    ruled_.emplace(field, params.fromPlay ? clockInPlay(params.kickOff) : clockFor(params.kickOff));
 }
 
 void Referee::hear(const net::GameControlData& control) {
@@ -39,7 +39,9 @@ Verdict Referee::judge(const MatchScene& scene) {
   }
   if (ruled_) {
     verdict = ruled_->step(scene, score_);
-    finished_ = ruled_->finished();
+    const int goals = std::max(score_.red, score_.blue);
+    finished_ =
+        ruled_->finished() || (params_.fromPlay && params_.goals > 0 && goals >= params_.goals);
     return verdict;
   }
   Ball ball = scene.ball;

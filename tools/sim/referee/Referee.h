@@ -22,6 +22,7 @@ struct RefereeParams {
   double seconds = 60.0;  // length of the match; with rules it is two of body::Rules::halfTime
   int goals = 1;          // of either team that end it; 0 = never; with rules they do not
   bool rules = false;
+  bool fromPlay = false;                 // with rules: one half without its kick-off; goals end it
   bool controlled = false;               // from outside; `rules` are not asked then
   TeamColour kickOff = TeamColour::red;  // of the first half; with rules only
 
@@ -30,6 +31,7 @@ struct RefereeParams {
     using P = RefereeParams;
     return fieldList(field("seconds", &P::seconds, "s", 0, 1e5),
                      field("goals", &P::goals, "", 0, 100), field("rules", &P::rules),
+                     field("fromPlay", &P::fromPlay),
                      field("controlled", &P::controlled), field("kickOff", &P::kickOff, "", 0, 1));
   }
 };

@@ -49,6 +49,13 @@ ClockState clockFor(TeamColour firstKickOff) {
   return clock;
 }
 
+ClockState clockInPlay(TeamColour firstKickOff) {
+  ClockState clock = clockFor(firstKickOff);
+  clock.firstHalf = false;
+  clock.state = PlayState::playing;
+  return clock;
+}
+
 std::optional<EventKind> step(const ClockIn& in, const body::Rules& rules, ClockState& clock) {
   const TimeUs gone = in.time - clock.last;
   clock.last = in.time;

@@ -34,6 +34,8 @@ struct ClockState {
 };
 
 ClockState clockFor(TeamColour firstKickOff);
+// In play, with the second half before it.
+ClockState clockInPlay(TeamColour firstKickOff);
 
 // What happened: a state that began, or a half that ended.
 std::optional<EventKind> step(const ClockIn& in, const body::Rules& rules, ClockState& clock);

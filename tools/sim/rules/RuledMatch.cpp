@@ -30,8 +30,8 @@ net::ControlPenalty controlPenalty(Offence offence) {
 
 }  // namespace
 
-RuledMatch::RuledMatch(const body::FieldDescription& field, TeamColour firstKickOff)
-    : field_(field), clock_(clockFor(firstKickOff)) {}
+RuledMatch::RuledMatch(const body::FieldDescription& field, const ClockState& clock)
+    : field_(field), clock_(clock) {}
 
 void RuledMatch::record(Call call, TeamColour team) {
   MatchEvent event;
@@ -78,7 +78,7 @@ Verdict RuledMatch::step(const MatchScene& scene, Score& score) {
     scene_.players[i].playing = !penalties_.of[i].off;
   if (!started_) {
     record({EventKind::start}, clock_.kickOff);
-    putBall({0.5 * field_.width, 0.5 * field_.length});
+    if (clock_.state == PlayState::initial) putBall({0.5 * field_.width, 0.5 * field_.length});
   }
   started_ = true;
   if (finished()) return verdict_;

@@ -32,7 +32,8 @@ struct Verdict {
 
 class RuledMatch {
  public:
-  RuledMatch(const body::FieldDescription& field, TeamColour firstKickOff);
+  // From a kick-off the ball is put in the middle; in play it stays where it is.
+  RuledMatch(const body::FieldDescription& field, const ClockState& clock);
 
   // `playing` and `lastToucher` of the scene are not read.
   Verdict step(const MatchScene& scene, Score& score);

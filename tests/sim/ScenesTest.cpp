@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes: what each kind promises, over many seeds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/body/FieldDescription.h"
+#include "tools/sim/staging/Scenes.h"
+
+namespace kelpie::sim {
+namespace {
+
+constexpr std::uint64_t kSeeds = 100;
+
+const body::FieldDescription& field() {
+  static const body::FieldDescription description = *body::fieldDescription("2006");
+  return description;
+}
+
+StagedScene drawn(const std::string& kind, std::uint64_t seed) {
+  const auto scene = drawScene(kind, field(), seed);
+  EXPECT_TRUE(scene) << kind << ": " << scene.error();
+  return scene ? *scene : StagedScene{};
+}
+
+Pose2 placeOf(const StagedScene& scene, TeamColour team, int number) {
+  for (const RobotPlace& place : scene.staging.places)
+    if (place.robot.team == team && place.robot.player == number) return place.pose;
+  ADD_FAILURE() << "no robot " << number;
+  return {};
+}
+
+Point2<Field> ballOf(const StagedScene& scene) { return scene.staging.ball->position; }
+
+double apart(const StagedScene& scene, TeamColour team, int number) {
+  return distance(placeOf(scene, team, number).position, ballOf(scene));
+}
+
+// Each scene of a kind.
+template <class Check>
+void forScenes(const std::string& kind, Check check) {
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE(kind + " " + std::to_string(seed));
+    check(drawn(kind, seed));
+  }
+}
+
+TEST(Scenes, EveryKindHasRoomOnEveryFieldWithAPlaceForEachRobot) {
+  for (const char* name : {"2006", "osaka2005", "2004"})
+    for (const std::string& kind : sceneKinds())
+      for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+        const auto scene = drawScene(kind, *body::fieldDescription(name), seed);
+        ASSERT_TRUE(scene) << name << ' ' << kind << ' ' << seed << ": " << scene.error();
+        const auto robots = static_cast<std::size_t>(scene->robots[0] + scene->robots[2] - 2 * '0');
+        EXPECT_EQ(scene->staging.places.size(), robots);
+        EXPECT_GE(scene->seconds, 10.0);
+        EXPECT_LE(scene->seconds, 20.0);
+      }
+}
+
+TEST(Scenes, ASeedIsOneSceneAndAnotherSeedAnotherOne) {
+  for (const std::string& kind : sceneKinds()) {
+    const Pose2 once = placeOf(drawn(kind, 7), TeamColour::red, 2);
+    EXPECT_EQ(once.position.x, placeOf(drawn(kind, 7), TeamColour::red, 2).position.x);
+    EXPECT_NE(once.position.x, placeOf(drawn(kind, 8), TeamColour::red, 2).position.x) << kind;
+  }
+}
+
+TEST(Scenes, NumberOneStandsInItsGoal) {
+  for (const std::string& kind : sceneKinds())
+    forScenes(kind, [](const StagedScene& scene) {
+      EXPECT_LT(placeOf(scene, TeamColour::red, 1).position.y, 30.0);
+      EXPECT_GT(placeOf(scene, TeamColour::blue, 1).position.y, field().length - 30.0);
+    });
+}
+
+TEST(Scenes, AContestedBallIsAsNearToBothWhoFaceIt) {
+  forScenes("contested", [](const StagedScene& scene) {
+    EXPECT_LE(apart(scene, TeamColour::red, 2), 40.0);
+    EXPECT_LE(apart(scene, TeamColour::blue, 2), 40.0);
+  });
+}
+
+TEST(Scenes, InTheOwnBoxRedDefends) {
+  forScenes("own-box", [](const StagedScene& scene) {
+    EXPECT_LE(ballOf(scene).y, 90.0);
+    EXPECT_GT(placeOf(scene, TeamColour::blue, 2).position.y, ballOf(scene).y);
+  });
+}
+
+TEST(Scenes, ABallAtTheEdgeOrInTheCornerIsNearTheLines) {
+  const auto fromSide = [](Point2<Field> p) { return std::min(p.x, field().width - p.x); };
+  forScenes("edge", [&](const StagedScene& scene) {
+    EXPECT_LE(fromSide(ballOf(scene)), 28.0);
+    EXPECT_GE(std::min(ballOf(scene).y, field().length - ballOf(scene).y), 110.0);
+  });
+  forScenes("corner", [&](const StagedScene& scene) {
+    EXPECT_LE(fromSide(ballOf(scene)), 40.0);
+    EXPECT_GE(ballOf(scene).y, field().length - 40.0);
+  });
+}
+
+TEST(Scenes, BeforeAGoalieRedHasTheBallBetweenItselfAndTheGoal) {
+  for (const char* kind : {"goalie-one", "goalie-two"})
+    forScenes(kind, [](const StagedScene& scene) {
+      EXPECT_LT(placeOf(scene, TeamColour::red, 2).position.y, ballOf(scene).y + 35.0);
+      EXPECT_LE(apart(scene, TeamColour::red, 2), 70.0);
+      EXPECT_EQ(scene.robots[2], '1');
+    });
+}
+
+TEST(Scenes, AnOpponentStandsBetweenRedAndTheBallBehindIt) {
+  forScenes("behind", [](const StagedScene& scene) {
+    EXPECT_LT(apart(scene, TeamColour::blue, 2), 46.0);
+    EXPECT_GT(apart(scene, TeamColour::red, 2), apart(scene, TeamColour::blue, 2));
+  });
+}
+
+TEST(Scenes, OneThatDoesNotExistNamesThoseThatDo) {
+  const auto scene = drawScene("party", field(), 1);
+  ASSERT_FALSE(scene);
+  EXPECT_NE(scene.error().find("free-ball, contested"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kelpie::sim
