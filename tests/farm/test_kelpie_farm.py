@@ -34,9 +34,20 @@ def test_a_league_until_decided_is_played_by_the_farm(field):
                     env=field.environment())
     assert result.returncode == 0, result.stderr
     assert result.stdout.startswith('accepted after ')
-    assert 'strong against weak, 3 min, 2v2: is the mean goals of strong 0 or 0.8?' in result.stderr
+    assert 'strong against weak, 3 min, 2v2, from images: is the mean goals of strong 0 or 0.8?' in result.stderr
     assert field.matches_played()[0].split()[0] in ('4', '5')
     assert (field.folder / 'out/farm.sqlite').is_file()
+
+
+def test_scenes_are_played_in_turn_until_one_side_is_known_to_be_better(field):
+    pytest.importorskip('distributed', reason='no Dask: tools/install farm')
+    words = ['strong', 'weak', '--by', 'goals', '--bounds', '0,0.8', '--out', 'out']
+    result = field.farm('play', *words, '--scenes', 'all')
+    assert result.returncode == 0, result.stderr
+    assert 'weak, scenes (edge, scrum), no images: is the mean goals' in result.stderr
+    refused = field.farm('play', *words, '--scenes', 'edge,party')
+    assert refused.returncode == 2
+    assert refused.stderr == 'kelpie: --scenes party: there are edge, scrum\n'
 
 
 @pytest.mark.parametrize('words, complaint', [

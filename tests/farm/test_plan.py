@@ -4,7 +4,7 @@ import pytest
 from farm.plan import Judged, Plan, checked_bounds, figure, matches_to_play, plan_of
 from farm.work import Trouble
 
-PLAN = Plan('teams/a', 'teams/b', 10, 2.0, '4v4', False, 'score', 0.5, 0.6, 'version 1')
+PLAN = Plan('teams/a', 'teams/b', 10, 2.0, '4v4', 'images', 'score', 0.5, 0.6, 'version 1')
 GOALS = PLAN._replace(by='goals', low=0.0, high=0.5)
 
 
@@ -24,6 +24,12 @@ def judged(results, plan=PLAN):
 def test_the_first_side_is_red_in_one_match_and_blue_in_the_other():
     assert PLAN.match(12, 'red')[:3] == ('teams/a', 'teams/b', 12)
     assert PLAN.match(12, 'blue')[:3] == ('teams/b', 'teams/a', 12)
+
+
+def test_scenes_come_in_turn_and_the_same_in_both_colours():
+    plan = PLAN._replace(scenes=('edge', 'scrum'))
+    assert [plan.match(seed, 'red').scene for seed in (10, 11, 12)] == ['edge', 'scrum', 'edge']
+    assert plan.match(11, 'blue').scene == 'scrum' and PLAN.match(11, 'red').scene == ''
 
 
 @pytest.mark.parametrize('red, blue, colour, score, goals', [
@@ -88,7 +94,8 @@ def test_matches_to_play_are_those_without_a_result_in_the_order_of_seeds():
 
 
 @pytest.mark.parametrize('change', [
-    {'first': 'teams/c'}, {'seed': 11}, {'minutes': 3.0}, {'robots': '2v2'}, {'physical': True},
+    {'first': 'teams/c'}, {'seed': 11}, {'minutes': 3.0}, {'robots': '2v2'},
+    {'world': 'physical'}, {'scenes': ('edge',)},
     {'by': 'goals'}, {'low': 0.4}, {'high': 0.7}, {'about': 'version 2'}])
 def test_another_plan_is_another_test(change):
     assert PLAN._replace(**change).id != PLAN.id

@@ -8,7 +8,7 @@ from farm.run import Run
 from farm.store import Store
 from farm.work import Trouble
 
-PLAN = Plan('a', 'b', 1, 2.0, '4v4', False, 'score', 0.5, 0.6, 'v')
+PLAN = Plan('a', 'b', 1, 2.0, '4v4', 'images', 'score', 0.5, 0.6, 'v')
 
 
 def drawn(match):

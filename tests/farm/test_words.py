@@ -4,7 +4,7 @@ import pytest
 from farm import words
 from farm.plan import Judged, Plan
 
-PLAN = Plan('teams/kelpie', 'teams/thesis', 1, 2.0, '4v4', False, 'goals', 0.0, 0.25)
+PLAN = Plan('teams/kelpie', 'teams/thesis', 1, 2.0, '4v4', 'images', 'goals', 0.0, 0.25)
 
 
 def played(pairs, plan=PLAN):
@@ -22,8 +22,10 @@ def played(pairs, plan=PLAN):
 
 def test_the_question_names_teams_match_and_both_means():
     assert words.question(PLAN) == (
-        'kelpie against thesis, 2 min, 4v4: is the mean goals of kelpie 0 or 0.25?')
-    assert ', bodies with masses: is' in words.question(PLAN._replace(physical=True))
+        'kelpie against thesis, 2 min, 4v4, from images: is the mean goals of kelpie 0 or 0.25?')
+    assert ', bodies with masses: is' in words.question(PLAN._replace(world='physical'))
+    assert 'thesis, scenes (edge, scrum), no images: is' in words.question(
+        PLAN._replace(world='percepts', scenes=('edge', 'scrum')))
 
 
 def test_the_running_line_has_goals_estimate_ratio_and_what_is_to_go():

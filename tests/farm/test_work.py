@@ -7,7 +7,7 @@ import time
 
 import pytest
 from farm import work
-from farm.work import Match, Trouble, about, play, portable
+from farm.work import Match, Trouble, about, play, portable, words_of
 from farm_field import FAKE, ROOT
 
 
@@ -15,8 +15,8 @@ from farm_field import FAKE, ROOT
 def a_match(field, monkeypatch):
     monkeypatch.setenv('KELPIE_PROGRAM', str(FAKE))
     monkeypatch.setenv('FAKE_PLAYED', str(field.played))
-    return Match(str(field.folder / 'strong'), str(field.folder / 'weak'), 7, 2.0, '4v4', False,
-                 'fake 1 strong weak')
+    return Match(str(field.folder / 'strong'), str(field.folder / 'weak'), 7, 2.0, '4v4',
+                 'images', 'fake 1 strong weak')
 
 
 def program(folder, text):
@@ -40,7 +40,16 @@ def test_the_same_match_has_the_same_result(match):
 
 
 def test_what_a_match_depends_on_does_not_depend_on_the_colours(match):
-    assert about(match) == about(match._replace(red=match.blue, blue=match.red)) == match.about
+    assert about(match) == about(match._replace(red=match.blue, blue=match.red)) == (
+        match.about, ['edge', 'scrum'])
+
+
+@pytest.mark.parametrize('change, words', [
+    ({}, ['--minutes', '2.0', '--robots', '4v4']),
+    ({'world': 'percepts'}, ['--percepts', '--minutes', '2.0', '--robots', '4v4']),
+    ({'world': 'physical', 'scene': 'edge'}, ['--physical', '--scene', 'edge'])])
+def test_a_match_is_asked_for_in_its_world_and_a_scene_without_minutes(match, change, words):
+    assert words_of(match._replace(**change))[3:] == ['--seed', '7', *words]
 
 
 def test_a_machine_with_another_version_is_found_out(match, monkeypatch):

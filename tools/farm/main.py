@@ -22,7 +22,7 @@ from farm.run import Run  # noqa: E402
 from farm.scaling import scaling  # noqa: E402
 from farm.store import RED, Store, is_locked  # noqa: E402
 from farm.trust import stored_matches, trust  # noqa: E402
-from farm.work import Trouble, about, portable  # noqa: E402
+from farm.work import IMAGES, PERCEPTS, WORLDS, Trouble, about, portable  # noqa: E402
 
 DONE, UNDECIDED, WRONG_USE, MACHINE, INTERRUPTED = 0, 1, 2, 3, 130
 FILE = 'farm.sqlite'
@@ -73,9 +73,19 @@ def figure(low, high):
     return number
 
 
-def workers_here():
-    """A match wants two cores."""
-    return max(1, len(os.sched_getaffinity(0)) // 2)
+def workers_here(world):
+    """A match from images wants two cores, one without them is one process."""
+    cores = len(os.sched_getaffinity(0))
+    return cores if world == PERCEPTS else max(1, cores // 2)
+
+
+def asked_scenes(words, known):
+    """Kinds, in the order of `known`; none: matches."""
+    kinds = known if words == 'all' else [word for word in words.split(',') if word]
+    for kind in kinds:
+        if kind not in known:
+            raise Trouble(f"--scenes {kind}: there are {', '.join(known)}")
+    return tuple(kind for kind in known if kind in kinds)
 
 
 def asked_plan(options):
@@ -84,10 +94,11 @@ def asked_plan(options):
             raise Trouble(f'{folder}: no such folder')
     low, high = checked_bounds(options.by, options.bounds)
     plan = Plan(*map(portable, options.team), options.seed, options.minutes, options.robots,
-                options.physical, options.by, low, high)
+                options.world, options.by, low, high)
     if plan.names[0] == plan.names[1]:
         raise Trouble(f"both teams are called '{plan.names[0]}'")
-    return plan._replace(about=about(plan.match(options.seed, RED)))
+    said, scenes = about(plan.match(options.seed, RED))
+    return plan._replace(about=said, scenes=asked_scenes(options.scenes, scenes))
 
 
 def play(options):
@@ -99,7 +110,7 @@ def play(options):
         store.forget_voids(plan.id)
     stop = Stop()
     cluster = (Cluster(options.scheduler) if options.scheduler
-               else own_cluster(options.workers, folder))
+               else own_cluster(options.workers or workers_here(plan.world), folder))
     say(f'test {plan.id}: {words.question(plan)}')
     run = Run(plan, store, cluster, options.most, say, stop)
     try:
@@ -153,7 +164,7 @@ def worker(options):
     check_address(options.scheduler)
     folder = Path(options.out)
     return serve(options, [worker_words(options.scheduler, options.host, folder / f'worker-{i}')
-                           for i in range(options.workers)])
+                           for i in range(options.workers or workers_here(IMAGES))])
 
 
 def show_trust(options):
@@ -180,7 +191,12 @@ def add_play(commands):
     command.add_argument('--minutes', type=figure(0.1, 60.0), default=10.0)
     command.add_argument('--seed', type=whole(0, 9000000000000000), default=1)
     command.add_argument('--robots', default='4v4')
-    command.add_argument('--physical', action='store_true', help='bodies with masses')
+    command.add_argument('--world', choices=tuple(WORLDS), default=PERCEPTS,
+                         help='matches without images (percepts), from images, or from images on '
+                         'bodies with masses (physical)')
+    command.add_argument('--scenes', default='', metavar='KINDS',
+                         help='all, or kinds as corner,edge: situations in place of matches, one a '
+                         'seed in turn (kelpie play --scene)')
     command.add_argument('--most', type=whole(1, 1000000), default=2000, metavar='PAIRS',
                          help='gives up after so many (2000)')
     command.add_argument('--again', action='store_true', help='plays void matches once more')
@@ -190,8 +206,8 @@ def add_play(commands):
 
 
 def add_workers(command):
-    command.add_argument('--workers', type=whole(1, 256), default=workers_here(),
-                         help='matches at a time here (one for two cores)')
+    command.add_argument('--workers', type=whole(1, 256), default=0,
+                         help='matches at a time here (one a core; from images one for two)')
 
 
 def add_cluster(commands):

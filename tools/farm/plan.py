@@ -20,17 +20,19 @@ USUAL = {SCORE: (0.5, 0.55), GOALS: (0.0, 0.25)}   # a win is 1, a draw 0.5; goa
 class Plan(NamedTuple):
     """`first` and `second` are folders; the test asks whether the first side's mean is `low` or
     `high`. By score: of a match's points; by goals: of its goals less the other's; by value: of the
-    `value` that a match's result holds, as red sees it."""
+    `value` that a match's result holds, as red sees it. `scenes`: kinds of situations, one a seed
+    in turn, in place of matches of these minutes and robots."""
     first: str
     second: str
     seed: int
     minutes: float
     robots: str
-    physical: bool
+    world: str
     by: str
     low: float
     high: float
     about: str = ''
+    scenes: tuple = ()
 
     @property
     def id(self):
@@ -49,13 +51,17 @@ class Plan(NamedTuple):
     def match(self, seed, colour):
         """`colour`: of the first side."""
         red, blue = (self.first, self.second) if colour == RED else (self.second, self.first)
-        return Match(red, blue, seed, self.minutes, self.robots, self.physical, self.about)
+        return Match(red, blue, seed, self.minutes, self.robots, self.world, self.about,
+                     self.scene(seed))
+
+    def scene(self, seed):
+        return self.scenes[(seed - self.seed) % len(self.scenes)] if self.scenes else ''
 
 
 def plan_of(stored):
     try:
-        return Plan(**stored)
-    except TypeError:
+        return Plan(**{**stored, 'scenes': tuple(stored['scenes'])})
+    except (KeyError, TypeError):
         raise Trouble('a test of another version of the farm') from None
 
 

@@ -15,6 +15,7 @@ from farm.cluster import Cluster, need_dask
 from farm.plan import Plan
 from farm.run import Run
 from farm.store import Store
+from farm.work import IMAGES
 
 ROUNDS = 4       # matches for each worker
 
@@ -39,7 +40,7 @@ def scaling(workers, seconds):
         cluster = Cluster(machines.scheduler_address, player=wait_as_a_match)
         cluster.open()
         store = Store(Path(folder) / 'farm.sqlite', writes=True)
-        plan = Plan('a', 'b', 1, seconds / 60.0, '4v4', False, 'score', 0.4999, 0.5001)
+        plan = Plan('a', 'b', 1, seconds / 60.0, '4v4', IMAGES, 'score', 0.4999, 0.5001)
         begun, computed = time.monotonic(), time.process_time()
         Run(plan, store, cluster, matches // 2, print, lambda: False).until_decided(lambda _: None)
         took, computed = time.monotonic() - begun, time.process_time() - computed

@@ -28,7 +28,7 @@ create table if not exists matches (
   at real not null,            -- when it was written, s since 1970
   primary key (test, seed, colour)) without rowid;
 """
-VERSION = 1
+VERSION = 2
 
 
 class Store:

@@ -13,7 +13,7 @@ import random
 from farm.plan import GOALS, SCORE, Plan, is_void
 from farm.sprt import ACCEPTED, OPEN, REJECTED, SequentialTest
 from farm.store import Store
-from farm.work import Trouble
+from farm.work import IMAGES, Trouble
 
 FEWEST = 8          # stored matches
 LONGEST = 20000     # pairs of one test
@@ -116,7 +116,7 @@ def shown(matches, by, bounds, mean, runs, seed):
 
 def trust(matches, by, low, high, runs, seed):
     """Of a side that is equal, of one that is weaker, and of one that is better by that much."""
-    plan = Plan('', '', 0, 0.0, '', False, by, low, high)
+    plan = Plan('', '', 0, 0.0, '', IMAGES, by, low, high)
     equal = 0.5 if by == SCORE else 0.0
     means = {'equal': equal, 'weaker': equal - (high - low), 'better': high}
     return {'by': by, 'low': low, 'high': high, 'runs': runs, 'stored_matches': len(matches), **{

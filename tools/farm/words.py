@@ -5,15 +5,18 @@ import math
 
 from farm.sprt import ACCEPTED, BOUND, OPEN
 from farm.plan import SCORE, is_void
+from farm.work import IMAGES, PERCEPTS, PHYSICAL
 
+WORLD_WORDS = {PERCEPTS: 'no images', IMAGES: 'from images', PHYSICAL: 'bodies with masses'}
 UNITS = {'score': 'of a match', 'goals': 'goals a match', 'value': 'of a match'}
 
 
 def question(plan):
     first, second = plan.names
-    return (f'{first} against {second}, {plan.minutes:g} min, {plan.robots}'
-            f"{', bodies with masses' if plan.physical else ''}: is the mean {plan.by} of {first} "
-            f'{plan.low:g} or {plan.high:g}?')
+    played = f"scenes ({', '.join(plan.scenes)})" if plan.scenes else (
+        f'{plan.minutes:g} min, {plan.robots}')
+    return (f'{first} against {second}, {played}, {WORLD_WORDS[plan.world]}: is the mean {plan.by} '
+            f'of {first} {plan.low:g} or {plan.high:g}?')
 
 
 def number(value):

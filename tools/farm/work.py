@@ -18,18 +18,23 @@ PROGRAM = 'KELPIE_PROGRAM'   # environment: this machine's kelpie
 PATIENCE = 30.0              # s of waiting for each s of play
 START = 300.0                # s of waiting besides
 LONGEST = 300                # characters of a trouble
+PERCEPTS, IMAGES, PHYSICAL = 'percepts', 'images', 'physical'
+WORLDS = {PERCEPTS: ['--percepts'], IMAGES: [], PHYSICAL: ['--physical']}
 
 
 class Match(NamedTuple):
     """`red` and `blue` are folders of teams; one of the source tree is relative to it, so that each
-    machine takes its own. `about` is what Kelpie says of all that the result depends on."""
+    machine takes its own. `world`: PERCEPTS, IMAGES or PHYSICAL. `about` is what Kelpie says of all
+    that the result depends on. `scene`: a kind of situation that is played in place of a match of
+    these minutes and robots; empty: none."""
     red: str
     blue: str
     seed: int
     minutes: float
     robots: str
-    physical: bool
+    world: str
     about: str
+    scene: str = ''
 
 
 class Trouble(Exception):
@@ -54,9 +59,10 @@ def portable(folder):
 
 def words_of(match):
     folders = [str(ROOT / folder) for folder in (match.red, match.blue)]
-    words = ['league', *folders, '--seed', str(match.seed), '--minutes', repr(match.minutes),
-             '--robots', match.robots]
-    return words + ['--physical'] * match.physical
+    words = ['league', *folders, '--seed', str(match.seed), *WORLDS[match.world]]
+    if match.scene:
+        return [*words, '--scene', match.scene]
+    return [*words, '--minutes', repr(match.minutes), '--robots', match.robots]
 
 
 def asked(words, seconds):
@@ -83,11 +89,12 @@ def asked(words, seconds):
 
 
 def about(match):
-    """What the match's result depends on here: version, robots, and both teams' contents."""
+    """What the match's result depends on here: version, robots, and both teams' contents; and the
+    kinds of scenes that there are."""
     answer = asked([*words_of(match), '--about'], START)
     if not isinstance(answer.get('about'), str):
         raise Trouble('kelpie says nothing of its version')
-    return answer['about']
+    return answer['about'], answer.get('scenes', [])
 
 
 def checked(answer, match):

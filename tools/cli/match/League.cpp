@@ -233,6 +233,7 @@ int playOnce(LeagueOptions options) {
   const Status sides = readSides(options, folders);
   if (!sides) return fail(sides.error(), kExitBadInput);
   nlohmann::ordered_json answer{{"about", options.plan.about}};
+  if (options.about) answer["scenes"] = sim::sceneKinds();
   if (options.once) {
     catchInterrupts();
     Complaints complaints;
@@ -257,12 +258,14 @@ int playUntilDecided(const LeagueOptions& options, const CommandLine& command) {
   pass("--minutes", fmt::format("{}", options.plan.minutes));
   pass("--seed", fmt::format("{}", options.plan.seed));
   pass("--robots", options.robots);
-  pass("--workers", fmt::format("{}", options.workers));
+  if (options.workers > 0) pass("--workers", fmt::format("{}", options.workers));
   pass("--out", options.out);
   pass("--by", options.by);
   pass("--bounds", options.bounds);
   pass("--scheduler", options.scheduler);
-  if (options.physical) words.emplace_back("--physical");
+  words.insert(words.end(), {"--world", options.physical   ? "physical"
+                                        : options.percepts ? "percepts"
+                                                           : "images"});
   return becomeFarm(std::move(words));
 }
 
