@@ -19,10 +19,13 @@ from farm.children import Children, scheduler_words, worker_words  # noqa: E402
 from farm.cluster import Cluster, check_address, need_dask, own_cluster  # noqa: E402
 from farm.plan import GOALS, SCORE, VALUE, Judged, Plan, checked_bounds, plan_of  # noqa: E402
 from farm.run import Run  # noqa: E402
+from farm.samplers import CLIMB, CMAES, TPE, sampler_of  # noqa: E402
 from farm.scaling import scaling  # noqa: E402
+from farm.search import Asked, Search  # noqa: E402
 from farm.store import RED, Store, is_locked  # noqa: E402
 from farm.trust import stored_matches, trust  # noqa: E402
-from farm.work import IMAGES, PERCEPTS, WORLDS, Trouble, about, portable  # noqa: E402
+from farm.vector import described, write_team  # noqa: E402
+from farm.work import IMAGES, PERCEPTS, ROOT, WORLDS, Trouble, about, portable  # noqa: E402
 
 DONE, UNDECIDED, WRONG_USE, MACHINE, INTERRUPTED = 0, 1, 2, 3, 130
 FILE = 'farm.sqlite'
@@ -88,10 +91,15 @@ def asked_scenes(words, known):
     return tuple(kind for kind in known if kind in kinds)
 
 
-def asked_plan(options):
-    for folder in options.team:
+def checked_folders(folders):
+    for folder in folders:
         if not Path(folder).is_dir():
             raise Trouble(f'{folder}: no such folder')
+    return folders
+
+
+def asked_plan(options):
+    checked_folders(options.team)
     low, high = checked_bounds(options.by, options.bounds)
     plan = Plan(*map(portable, options.team), options.seed, options.minutes, options.robots,
                 options.world, options.by, low, high)
@@ -109,8 +117,7 @@ def play(options):
     if options.again:
         store.forget_voids(plan.id)
     stop = Stop()
-    cluster = (Cluster(options.scheduler) if options.scheduler
-               else own_cluster(options.workers or workers_here(plan.world), folder))
+    cluster = opened_cluster(options, folder)
     say(f'test {plan.id}: {words.question(plan)}')
     run = Run(plan, store, cluster, options.most, say, stop)
     try:
@@ -126,12 +133,71 @@ def play(options):
     return DONE if decided else UNDECIDED
 
 
+def opened_cluster(options, folder):
+    return (Cluster(options.scheduler) if options.scheduler else
+            own_cluster(options.workers or workers_here(options.world), folder))
+
+
+def asked_search(options):
+    pool = tuple(map(portable, checked_folders(options.pool.split(','))))
+    plan = Plan(pool[0], pool[0], options.seed, options.minutes, options.robots, options.world,
+                options.by, 0.0, 0.0)
+    _, scenes = about(plan._replace(second=other_than(pool[0])).match(options.seed, RED))
+    return Asked(plan._replace(scenes=asked_scenes(options.scenes, scenes)), pool, options.pairs,
+                 options.trials, options.sampler)
+
+
+def other_than(folder):
+    """Some team of another name, to ask kelpie about."""
+    return portable(ROOT / 'teams' / ('thesis' if Path(folder).name == 'kelpie' else 'kelpie'))
+
+
+def search(options):
+    found = described(options.groups)
+    asked = asked_search(options)
+    folder = Path(options.out)
+    store = Store(folder / FILE, writes=True)
+    stop = Stop()
+    say(words.search(asked, found))
+    sampler = sampler_of(options.sampler, found, options.seed)
+    cluster = opened_cluster(options, folder)
+    try:
+        one = Search(asked, found, folder, store, cluster, say, stop)
+        champion = one.run(sampler, lambda number, tried: say(words.tried(number, tried)))
+    finally:
+        cluster.close()
+    if champion is None:
+        say('kelpie: stopped; the same command goes on')
+        return INTERRUPTED
+    named = write_team(folder / 'champion', found, champion.vector, words.gain(champion, asked))
+    champion = champion._replace(folder=str(named))
+    store.add_champion(champion, words.search(asked, found))
+    print(words.gain(champion, asked))
+    print(f'{named}: a team of it; kelpie farm play {named} {asked.pool[0]} decides')
+    return DONE
+
+
+def history(options):
+    store = Store(Path(options.out) / FILE)
+    for row in store.champions():
+        print('\n'.join(words.champion(*row)))
+    for test, stored, _ in store.tests():
+        plan = plan_of(stored)
+        if plan.low < plan.high:
+            judged = Judged(plan)
+            judged.take(store.results(test))
+            print(f'test {test}: {words.question(plan)}\n  {words.decision(judged)}')
+    return DONE
+
+
 def status(options):
     path = Path(options.out) / FILE
     store = Store(path)
     print('a farm plays' if is_locked(path) else 'no farm plays now')
     for test, stored, _ in store.tests():
         plan = plan_of(stored)
+        if plan.low == plan.high:      # a vector of a search
+            continue
         results = store.results(test)
         judged = Judged(plan)
         judged.take(results)
@@ -180,6 +246,38 @@ def show_scaling(options):
     return DONE
 
 
+def add_search(commands):
+    command = commands.add_parser('search', help='searches the constants of the behaviours')
+    command.set_defaults(run=search)
+    command.add_argument('--pool', default='teams/kelpie,teams/thesis', metavar='TEAM,TEAM',
+                         help='folders of the teams that each vector plays')
+    command.add_argument('--trials', type=whole(1, 100000), default=100, help='vectors (100)')
+    command.add_argument('--pairs', type=whole(2, 100000), default=26,
+                         help='of each vector against each team (26)')
+    command.add_argument('--sampler', choices=(TPE, CMAES, CLIMB), default=TPE,
+                         help="Optuna's two, or the thesis' hill climbing")
+    command.add_argument('--groups', default='', metavar='GROUP,GROUP',
+                         help='of behaviour/constants.toml (all)')
+    command.add_argument('--by', choices=(SCORE, GOALS, VALUE), default=VALUE)
+    add_world(command, 'all')
+    add_workers(command)
+
+
+def add_world(command, scenes):
+    """What is played, and with which seeds."""
+    command.add_argument('--minutes', type=figure(0.1, 60.0), default=10.0)
+    command.add_argument('--seed', type=whole(0, 9000000000000000), default=1)
+    command.add_argument('--robots', default='4v4')
+    command.add_argument('--world', choices=tuple(WORLDS), default=PERCEPTS,
+                         help='matches without images (percepts), from images, or from images on '
+                         'bodies with masses (physical)')
+    command.add_argument('--scenes', default=scenes, metavar='KINDS',
+                         help='all, or kinds as corner,edge: situations in place of matches, one a '
+                         'seed in turn (kelpie play --scene)')
+    command.add_argument('--scheduler', default='', metavar='tcp://HOST:PORT',
+                         help='plays on the workers of that one, and not by itself')
+
+
 def add_play(commands):
     command = commands.add_parser('play', help='plays two teams until it is known which is better')
     command.set_defaults(run=play)
@@ -188,21 +286,11 @@ def add_play(commands):
                          help='points of a match, goals, or the value of its result')
     command.add_argument('--bounds', default='', metavar='LOW,HIGH',
                          help='the two means to decide between (score 0.5,0.55; goals 0,0.25)')
-    command.add_argument('--minutes', type=figure(0.1, 60.0), default=10.0)
-    command.add_argument('--seed', type=whole(0, 9000000000000000), default=1)
-    command.add_argument('--robots', default='4v4')
-    command.add_argument('--world', choices=tuple(WORLDS), default=PERCEPTS,
-                         help='matches without images (percepts), from images, or from images on '
-                         'bodies with masses (physical)')
-    command.add_argument('--scenes', default='', metavar='KINDS',
-                         help='all, or kinds as corner,edge: situations in place of matches, one a '
-                         'seed in turn (kelpie play --scene)')
+    add_world(command, '')
     command.add_argument('--most', type=whole(1, 1000000), default=2000, metavar='PAIRS',
                          help='gives up after so many (2000)')
     command.add_argument('--again', action='store_true', help='plays void matches once more')
     add_workers(command)
-    command.add_argument('--scheduler', default='', metavar='tcp://HOST:PORT',
-                         help='plays on the workers of that one, and not by itself')
 
 
 def add_workers(command):
@@ -240,6 +328,8 @@ def parser():
     made = Parser(prog='kelpie farm', description=__doc__.split('. ')[0] + '.')
     commands = made.add_subparsers(required=True, metavar='COMMAND', parser_class=Parser)
     add_play(commands)
+    add_search(commands)
+    commands.add_parser('history', help='champions, and what was decided').set_defaults(run=history)
     commands.add_parser('status', help='what the tests have come to').set_defaults(run=status)
     add_cluster(commands)
     add_figures(commands)

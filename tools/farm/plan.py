@@ -6,6 +6,7 @@ machines play them and how fast. A pair of which a match is void counts for noth
 
 import hashlib
 import json
+import math
 from pathlib import Path
 from typing import NamedTuple
 
@@ -136,10 +137,21 @@ class Judged:
         if is_void(as_red) or is_void(as_blue):
             self.voids += 1
             return
-        by = self.plan.by
         self.goals[0] += as_red['red_goals'] + as_blue['blue_goals']
         self.goals[1] += as_red['blue_goals'] + as_blue['red_goals']
-        self.test.add(0.5 * (figure(as_red, RED, by) + figure(as_blue, BLUE, by)))
+        self.test.add(of_pair(as_red, as_blue, self.plan.by))
+
+
+def of_pair(as_red, as_blue, by):
+    """What the first side has of a seed; not a number where a match is void."""
+    if is_void(as_red) or is_void(as_blue):
+        return math.nan
+    return 0.5 * (figure(as_red, RED, by) + figure(as_blue, BLUE, by))
+
+
+def estimate_only(plan):
+    """The same matches with nothing to decide."""
+    return plan._replace(low=0.0, high=0.0)
 
 
 def matches_to_play(plan, judged, done, most):

@@ -148,6 +148,8 @@ class SequentialTest:
             self.decision = REJECTED
 
     def llr_now(self):
+        if self.bounds.low == self.bounds.high:      # an estimate is wanted, and no decision
+            return 0.0
         if self.bounds.pentanomial:
             return pentanomial_llr(self.counts, self.bounds)
         return normal_llr(self.count, self.mean, self.variance, self.bounds)

@@ -27,6 +27,12 @@ create table if not exists matches (
   void integer not null,       -- its result has trouble
   at real not null,            -- when it was written, s since 1970
   primary key (test, seed, colour)) without rowid;
+create table if not exists champions (
+  folder text not null,        -- of the team
+  search text not null,        -- what was searched, in words
+  vector text not null,        -- JSON: {parameter's key: number}
+  gain real not null, low real not null, high real not null,   -- over the defaults, 95 % interval
+  at real not null);
 """
 VERSION = 2
 
@@ -89,6 +95,17 @@ class Store:
         """{(seed, colour): result}"""
         rows = self.base.execute('select seed, colour, result from matches where test = ?', (test,))
         return {(seed, colour): json.loads(result) for seed, colour, result in rows}
+
+    def add_champion(self, champion, search):
+        row = (champion.folder, search, json.dumps(champion.vector), champion.gain, champion.low,
+               champion.high, time.time())
+        self.base.execute('insert into champions values (?, ?, ?, ?, ?, ?, ?)', row)
+
+    def champions(self):
+        """[(folder, search, vector, gain, low, high, at)], oldest first."""
+        rows = self.base.execute('select * from champions order by at')
+        return [(folder, search, json.loads(vector), *rest)
+                for folder, search, vector, *rest in rows]
 
     def times(self, test):
         """When each match was written, in order; s since 1970."""

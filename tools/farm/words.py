@@ -2,6 +2,7 @@
 """What the farm tells people: lines of text from a test's state, and nothing else."""
 
 import math
+import time
 
 from farm.sprt import ACCEPTED, BOUND, OPEN
 from farm.plan import SCORE, is_void
@@ -13,10 +14,37 @@ UNITS = {'score': 'of a match', 'goals': 'goals a match', 'value': 'of a match'}
 
 def question(plan):
     first, second = plan.names
-    played = f"scenes ({', '.join(plan.scenes)})" if plan.scenes else (
-        f'{plan.minutes:g} min, {plan.robots}')
-    return (f'{first} against {second}, {played}, {WORLD_WORDS[plan.world]}: is the mean {plan.by} '
-            f'of {first} {plan.low:g} or {plan.high:g}?')
+    return (f'{first} against {second}, {played(plan)}: is the mean {plan.by} of {first} '
+            f'{plan.low:g} or {plan.high:g}?')
+
+
+def played(plan):
+    if plan.scenes:
+        return f"scenes ({', '.join(plan.scenes)}), {WORLD_WORDS[plan.world]}"
+    return f'{plan.minutes:g} min, {plan.robots}, {WORLD_WORDS[plan.world]}'
+
+
+def search(asked, found):
+    return (f'{asked.sampler} over {len(found)} constants, {asked.trials} vectors, {asked.pairs} '
+            f"pairs against each of {', '.join(asked.pool)}; {played(asked.plan)}; by "
+            f'{asked.plan.by}, from seed {asked.plan.seed}')
+
+
+def tried(number_of, one):
+    return f'vector {number_of}: {number(one.mean)} +- {one.sd:.2f} {one.folder}'
+
+
+def gain(champion, asked):
+    return (f'{number(champion.gain)} {asked.plan.by} ({number(champion.low)} .. '
+            f"{number(champion.high)}) of a {'scene' if asked.plan.scenes else 'match'} over the "
+            'defaults, on fresh seeds')
+
+
+def champion(folder, searched, vector, mean, low, high, at):
+    """One line of what it gained, one of how it was found."""
+    day = time.strftime('%Y-%m-%d', time.gmtime(at))
+    return [f'{day} {folder}: {number(mean)} ({number(low)} .. {number(high)}), {len(vector)} '
+            'constants', f'  {searched}']
 
 
 def number(value):

@@ -91,7 +91,7 @@ def asked(words, seconds):
 def about(match):
     """What the match's result depends on here: version, robots, and both teams' contents; and the
     kinds of scenes that there are."""
-    answer = asked([*words_of(match), '--about'], START)
+    answer = asked([*words_of(match._replace(scene='')), '--about'], START)
     if not isinstance(answer.get('about'), str):
         raise Trouble('kelpie says nothing of its version')
     return answer['about'], answer.get('scenes', [])
