@@ -34,7 +34,8 @@ def test_a_league_until_decided_is_played_by_the_farm(field):
                     env=field.environment())
     assert result.returncode == 0, result.stderr
     assert result.stdout.startswith('accepted after ')
-    assert 'strong against weak, 3 min, 2v2, from images: is the mean goals of strong 0 or 0.8?' in result.stderr
+    assert ('strong against weak, 3 min, 2v2, from images: is the mean goals of strong 0 or 0.8?'
+            in result.stderr)
     assert field.matches_played()[0].split()[0] in ('4', '5')
     assert (field.folder / 'out/farm.sqlite').is_file()
 
