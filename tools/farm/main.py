@@ -24,6 +24,7 @@ from farm.scaling import scaling  # noqa: E402
 from farm.search import Asked, Search  # noqa: E402
 from farm.store import RED, Store, is_locked  # noqa: E402
 from farm.trust import stored_matches, trust  # noqa: E402
+from farm.variant import write_variant  # noqa: E402
 from farm.vector import described, write_team  # noqa: E402
 from farm.work import IMAGES, PERCEPTS, ROOT, WORLDS, Trouble, about, portable  # noqa: E402
 
@@ -310,6 +311,22 @@ def add_cluster(commands):
     add_workers(command)
 
 
+def variant(options):
+    rules = [rule for rule in options.without.split(',') if rule]
+    print(write_variant(options.team, rules, options.set))
+    return DONE
+
+
+def add_variant(commands):
+    command = commands.add_parser('variant', help='makes a team that is Kelpie but for some rules')
+    command.set_defaults(run=variant)
+    command.add_argument('team', metavar='FOLDER', help='a new one')
+    command.add_argument('--without', default='', metavar='RULE,RULE',
+                         help="rules of pycode/lib/rulebook.py that are the theses' there")
+    command.add_argument('--set', action='append', default=[], metavar='KEY=NUMBER',
+                         help='a switch of [behaviour.task]')
+
+
 def add_figures(commands):
     command = commands.add_parser('trust', help='how often the test errs, by stored matches')
     command.set_defaults(run=show_trust)
@@ -332,6 +349,7 @@ def parser():
     commands.add_parser('history', help='champions, and what was decided').set_defaults(run=history)
     commands.add_parser('status', help='what the tests have come to').set_defaults(run=status)
     add_cluster(commands)
+    add_variant(commands)
     add_figures(commands)
     for command in commands.choices.values():
         command.add_argument('--out', default='out/farm', metavar='FOLDER',
