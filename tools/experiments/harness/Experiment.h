@@ -32,11 +32,12 @@ enum class Option : std::uint8_t {
   traces,
   pictures,
   fast,
-  minutes
+  minutes,
+  sides
 };
 constexpr std::initializer_list<Option> kAllOptions = {
-    Option::trials, Option::seed,     Option::randomised, Option::params, Option::field,
-    Option::traces, Option::pictures, Option::fast,       Option::minutes};
+    Option::trials, Option::seed,     Option::randomised, Option::params,  Option::field,
+    Option::traces, Option::pictures, Option::fast,       Option::minutes, Option::sides};
 const char* nameOf(Option option);  // "--trials"
 
 class Options {
@@ -65,6 +66,7 @@ struct Request {
   std::string pictures;             // folder for pictures of what went wrong; empty: none
   bool fast = false;                // kinematic bodies in place of those with masses
   double minutes = 0.0;             // of play in each match; 0: the experiment's own
+  std::string sideA, sideB;         // folders of two teams; empty: those of the source tree
   std::function<void(int done, int all)> progress;
 
   // Where the table of that name goes; empty without --traces.

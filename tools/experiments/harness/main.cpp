@@ -67,6 +67,12 @@ void addOptions(cli::CommandLine& app, EvaluateOptions& options) {
   app.option(nameOf(Option::minutes), request.minutes,
              "Minutes of play in each match (default: the experiment's own)")
       .check(cli::inRange(0.1, 60.0));
+  auto side =
+      app.option(nameOf(Option::sides), request.sideA, "Folder of a team (default: teams/kelpie)")
+          .check(cli::existingFolder());
+  app.option("--b", request.sideB, "Folder of the team that it is compared with (teams/thesis)")
+      .check(cli::existingFolder())
+      .needs(side);
   app.option("--json", options.json, "File for the figures, - for standard output");
   app.flag("--list", options.list, "Each experiment with the options that it uses");
 }

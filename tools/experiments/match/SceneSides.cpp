@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two teams in the same situations (tools/sim/staging/Scenes.h), kind by kind: each scene is played
+// twice with colours exchanged, so that what a situation gives to either side falls out. Percepts
+// in place of images; on other bodies `kelpie farm play --scenes` plays the same.
+#include "tools/experiments/harness/ChildProcesses.h"
+#include "tools/experiments/harness/Statistics.h"
+#include "tools/league/PairedStatistics.h"
+#include "tools/session/SceneSession.h"
+#include "tools/session/Session.h"
+#include "tools/sim/staging/Scenes.h"
+
+namespace kelpie::experiments {
+namespace {
+
+constexpr const char* kTeams = KELPIE_SOURCE_DIR "/teams/";
+
+// What A has of the two matches of a scene.
+struct Pair {
+  double goalsFor = 0.0;
+  double goalsAgainst = 0.0;
+
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("goalsFor", &Pair::goalsFor),
+                     field("goalsAgainst", &Pair::goalsAgainst));
+  }
+};
+
+// Of one seed, a pair for each kind.
+struct Played {
+  std::vector<Pair> pairs;
+
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("pairs", &Played::pairs));
+  }
+};
+
+std::string sideOr(const std::string& folder, const char* usual) {
+  return folder.empty() ? std::string(kTeams) + usual : folder;
+}
+
+Status playOnce(const Request& request, const std::string& kind, std::uint64_t seed, bool aIsRed,
+                Pair& pair) {
+  const std::string a = sideOr(request.sideA, "kelpie"), b = sideOr(request.sideB, "thesis");
+  cli::SessionOptions session;
+  session.seed = seed;
+  session.physical = false;
+  session.percepts = true;
+  session.set = {cli::kNoReload};
+  const cli::TeamPlan plan{0, 0, aIsRed ? a : b, aIsRed ? b : a};
+  const Status used = cli::useScene(kind, plan, session);
+  if (!used) return used;
+  const cli::SessionResult result = cli::runSession(session, {});
+  if (!result.trouble.empty()) return Error{"scene " + kind + ": " + result.trouble};
+  const bool own = (session.team == "red") == aIsRed;
+  pair.goalsFor += static_cast<double>((own ? result.goals : result.ownGoals).size());
+  pair.goalsAgainst += static_cast<double>((own ? result.ownGoals : result.goals).size());
+  return Done{};
+}
+
+Expected<Played> playSeed(const Request& request, const Trial& trial) {
+  Played played;
+  for (const std::string& kind : sim::sceneKinds()) {
+    Pair pair;
+    for (const bool aIsRed : {true, false}) {
+      const Status done = playOnce(request, kind, trial.seed, aIsRed, pair);
+      if (!done) return Error{done.error()};
+    }
+    played.pairs.push_back(pair);
+  }
+  return played;
+}
+
+// Of a scene, which is half of a pair.
+Json figuresOf(const std::vector<Pair>& pairs) {
+  Values scored, conceded;
+  league::Differences differences;
+  for (const Pair& pair : pairs) {
+    scored.push_back(0.5 * pair.goalsFor);
+    conceded.push_back(0.5 * pair.goalsAgainst);
+    differences.push_back(0.5 * (pair.goalsFor - pair.goalsAgainst));
+  }
+  const league::Interval interval = league::bootstrap(differences, {});
+  return {{"goals_for", mean(scored)},
+          {"goals_against", mean(conceded)},
+          {"goals_difference", mean(differences)},
+          {"goals_difference_low", interval.low},
+          {"goals_difference_high", interval.high}};
+}
+
+Expected<Json> sceneSides(const Request& request) {
+  const auto seeds =
+      trialsInChildProcesses(request, [&](const Trial& trial) { return playSeed(request, trial); });
+  if (!seeds) return Error{seeds.error()};
+  const auto& kinds = sim::sceneKinds();
+  std::vector<Pair> all;
+  Json figures = Json::object(), each = Json::object();
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    std::vector<Pair> pairs;
+    for (const Played& played : *seeds) pairs.push_back(played.pairs[kind]);
+    each[kinds[kind]] = figuresOf(pairs);
+    all.insert(all.end(), pairs.begin(), pairs.end());
+  }
+  figures = figuresOf(all);
+  figures["scenes"] = static_cast<double>(2 * all.size());
+  figures["kinds"] = each;
+  return figures;
+}
+
+const Registration kSceneSides(
+    "scenes", "two teams (--a, --b) in the same drawn situations, kind by kind, in both colours",
+    {Option::trials, Option::seed, Option::sides}, 20, sceneSides);
+
+}  // namespace
+}  // namespace kelpie::experiments
