@@ -35,7 +35,8 @@ struct Moment {
   const FrameInput& input;
   const FrameOutput& output;
   TruePlaces truth;
-  bool fresh = true;  // the image is of this moment, not one that was kept of an earlier
+  bool fresh = true;   // the image is of this moment, not one that was kept of an earlier
+  bool imaged = true;  // there has been an image; a match of percepts has none
 };
 
 // Paths so far, in field coordinates.

@@ -84,7 +84,7 @@ void Match::forEachMoment(const std::function<bool(const Moment&)>& show) const 
   sim::TruthFrame truth;
   TruePlaces places;
   bool inputKnown = false;
-  bool fresh = true;
+  bool fresh = true, imaged = false;
   LogMessage message;
   while (reader->next(message)) {
     if (message.topic() == sim::kTruthTopic && decodeAs(message, truth))
@@ -92,9 +92,10 @@ void Match::forEachMoment(const std::function<bool(const Moment&)>& show) const 
     if (agent::isFrameInput(message.topic())) {
       inputKnown = cli::decodeForPeople(message, *input).ok();
       fresh = cli::hasImage(message);
+      imaged = imaged || fresh;
     }
     if (message.topic() == kFrameOutputTopic && inputKnown && decodeAs(message, *output) &&
-        !show({*input, *output, places, fresh}))
+        !show({*input, *output, places, fresh, imaged}))
       return;
   }
 }

@@ -81,12 +81,23 @@ void drawMarks(View view, const FrameOutput& output) {
   if (seen.ball.present) view.ball(seen.ball);
 }
 
+// What a robot perceived without having looked (tools/percepts).
+void drawNoImage(Canvas& canvas, const Frame& frame) {
+  canvas.box(frame, inks::kPanel);
+  canvas.text({frame.x + 0.5 * frame.width, frame.y + frame.height - 22.0},
+              "no image: percepts made of the true places",
+              {11.0, inks::kQuiet, false, Align::centre});
+}
+
 }  // namespace
 
 void drawCameraView(Canvas& canvas, const Frame& frame, const Moment& moment) {
   canvas.cut(frame, 6.0);
-  canvas.paste(pictureOf(moment.input.image), frame);
-  if (moment.fresh) drawMarks(View(canvas, frame), moment.output);
+  if (moment.imaged)
+    canvas.paste(pictureOf(moment.input.image), frame);
+  else
+    drawNoImage(canvas, frame);
+  if (moment.fresh || !moment.imaged) drawMarks(View(canvas, frame), moment.output);
   canvas.uncut();
 }
 
