@@ -95,7 +95,7 @@ def test_matches_to_play_are_those_without_a_result_in_the_order_of_seeds():
 
 @pytest.mark.parametrize('change', [
     {'first': 'teams/c'}, {'seed': 11}, {'minutes': 3.0}, {'robots': '2v2'},
-    {'world': 'physical'}, {'scenes': ('edge',)},
+    {'world': 'physical'}, {'scenes': ('edge',)}, {'rules': '2005'},
     {'by': 'goals'}, {'low': 0.4}, {'high': 0.7}, {'about': 'version 2'}])
 def test_another_plan_is_another_test(change):
     assert PLAN._replace(**change).id != PLAN.id

@@ -45,9 +45,11 @@ def test_what_a_match_depends_on_does_not_depend_on_the_colours(match):
 
 
 @pytest.mark.parametrize('change, words', [
-    ({}, ['--minutes', '2.0', '--robots', '4v4']),
-    ({'world': 'percepts'}, ['--percepts', '--minutes', '2.0', '--robots', '4v4']),
-    ({'world': 'physical', 'scene': 'edge'}, ['--physical', '--scene', 'edge'])])
+    ({}, ['--rules', '2006', '--minutes', '2.0', '--robots', '4v4']),
+    ({'world': 'percepts', 'rules': '2005'},
+     ['--percepts', '--rules', '2005', '--minutes', '2.0', '--robots', '4v4']),
+    ({'world': 'physical', 'scene': 'edge'},
+     ['--physical', '--rules', '2006', '--scene', 'edge'])])
 def test_a_match_is_asked_for_in_its_world_and_a_scene_without_minutes(match, change, words):
     assert words_of(match._replace(**change))[3:] == ['--seed', '7', *words]
 

@@ -64,3 +64,23 @@ def test_a_league_has_scenes_only_once(tmp_path):
     said = complaint(kelpie("league", ROOT / "teams/kelpie", ROOT / "teams/thesis", "--scene",
                             "edge", "--out", tmp_path / "out"))
     assert "--scene requires --once" in said
+
+
+CARRIES = """import kelpie
+
+
+def decide(world):
+    assert world.field.rules.holding_distance == {distance}
+    return kelpie.Command()
+"""
+
+
+@pytest.mark.parametrize("rules, distance", [("2005", 500.0), ("2006", 50.0)])
+def test_behaviours_know_by_which_year_s_rules_a_ball_is_held(tmp_path, rules, distance):
+    for name in ("one", "two"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "main.py").write_text(CARRIES.format(distance=distance))
+    done = kelpie("league", tmp_path / "one", tmp_path / "two", "--once", "--percepts", "--scene",
+                  "edge", "--rules", rules)
+    assert done.returncode == 0 and "AssertionError" not in done.stderr
+    assert ("rules of 2005" in done.stdout) == (rules == "2005")

@@ -103,7 +103,7 @@ def asked_plan(options):
     checked_folders(options.team)
     low, high = checked_bounds(options.by, options.bounds)
     plan = Plan(*map(portable, options.team), options.seed, options.minutes, options.robots,
-                options.world, options.by, low, high)
+                options.world, options.by, low, high, rules=options.rules)
     if plan.names[0] == plan.names[1]:
         raise Trouble(f"both teams are called '{plan.names[0]}'")
     said, scenes = about(plan.match(options.seed, RED))
@@ -142,7 +142,7 @@ def opened_cluster(options, folder):
 def asked_search(options):
     pool = tuple(map(portable, checked_folders(options.pool.split(','))))
     plan = Plan(pool[0], pool[0], options.seed, options.minutes, options.robots, options.world,
-                options.by, 0.0, 0.0)
+                options.by, 0.0, 0.0, rules=options.rules)
     _, scenes = about(plan._replace(second=other_than(pool[0])).match(options.seed, RED))
     return Asked(plan._replace(scenes=asked_scenes(options.scenes, scenes)), pool, options.pairs,
                  options.trials, options.sampler)
@@ -269,6 +269,8 @@ def add_world(command, scenes):
     command.add_argument('--minutes', type=figure(0.1, 60.0), default=10.0)
     command.add_argument('--seed', type=whole(0, 9000000000000000), default=1)
     command.add_argument('--robots', default='4v4')
+    command.add_argument('--rules', choices=('2005', '2006'), default='2006',
+                         help='of holding the ball: 3 s, or 3 s and 50 cm')
     command.add_argument('--world', choices=tuple(WORLDS), default=PERCEPTS,
                          help='matches without images (percepts), from images, or from images on '
                          'bodies with masses (physical)')

@@ -34,6 +34,7 @@ class Plan(NamedTuple):
     high: float
     about: str = ''
     scenes: tuple = ()
+    rules: str = '2006'
 
     @property
     def id(self):
@@ -53,7 +54,7 @@ class Plan(NamedTuple):
         """`colour`: of the first side."""
         red, blue = (self.first, self.second) if colour == RED else (self.second, self.first)
         return Match(red, blue, seed, self.minutes, self.robots, self.world, self.about,
-                     self.scene(seed))
+                     self.scene(seed), self.rules)
 
     def scene(self, seed):
         return self.scenes[(seed - self.seed) % len(self.scenes)] if self.scenes else ''

@@ -19,9 +19,10 @@ def question(plan):
 
 
 def played(plan):
+    rules = '' if plan.rules == '2006' else f', rules of {plan.rules}'
     if plan.scenes:
-        return f"scenes ({', '.join(plan.scenes)}), {WORLD_WORDS[plan.world]}"
-    return f'{plan.minutes:g} min, {plan.robots}, {WORLD_WORDS[plan.world]}'
+        return f"scenes ({', '.join(plan.scenes)}), {WORLD_WORDS[plan.world]}{rules}"
+    return f'{plan.minutes:g} min, {plan.robots}, {WORLD_WORDS[plan.world]}{rules}'
 
 
 def search(asked, found):

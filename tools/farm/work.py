@@ -26,7 +26,7 @@ class Match(NamedTuple):
     """`red` and `blue` are folders of teams; one of the source tree is relative to it, so that each
     machine takes its own. `world`: PERCEPTS, IMAGES or PHYSICAL. `about` is what Kelpie says of all
     that the result depends on. `scene`: a kind of situation that is played in place of a match of
-    these minutes and robots; empty: none."""
+    these minutes and robots; empty: none. `rules`: of which year."""
     red: str
     blue: str
     seed: int
@@ -35,6 +35,7 @@ class Match(NamedTuple):
     world: str
     about: str
     scene: str = ''
+    rules: str = '2006'
 
 
 class Trouble(Exception):
@@ -59,7 +60,8 @@ def portable(folder):
 
 def words_of(match):
     folders = [str(ROOT / folder) for folder in (match.red, match.blue)]
-    words = ['league', *folders, '--seed', str(match.seed), *WORLDS[match.world]]
+    words = ['league', *folders, '--seed', str(match.seed), *WORLDS[match.world],
+             '--rules', match.rules]
     if match.scene:
         return [*words, '--scene', match.scene]
     return [*words, '--minutes', repr(match.minutes), '--robots', match.robots]

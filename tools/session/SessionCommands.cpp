@@ -86,6 +86,8 @@ void addMatch(const SessionOptions& options, const RunDirectory& runDirectory, W
   addEach("--note", options.notes, argv);
   if (options.rules) argv.insert(argv.end(), {"--rules", "--tell-time"});
   if (options.fromPlay) argv.push_back("--from-play");
+  if (options.holdingDistance > 0.0)
+    argv.insert(argv.end(), {"--holding-distance", std::to_string(options.holdingDistance)});
   if (options.live) argv.push_back("--plain-log");
   if (options.keepsLog())
     argv.insert(argv.end(), {"--truth", partPath(options, runDirectory, "world.mcap")});

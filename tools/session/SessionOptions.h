@@ -36,6 +36,7 @@ struct SessionOptions {
   int player = 1;                // its number
   bool rules = false;            // a referee who knows more than goals and balls out,
   bool fromPlay = false;         // who lets play go on as it stands; `goals` end it
+  double holdingDistance = 0.0;  // cm that a robot may carry the ball; 0: the field's
   std::string radio = "world";   // or udp, of this machine; none: all packets are lost
   double radioLoss = -1.0;       // share of packets; below 0: the world's
   double radioDelay = -1.0;      // s under way; so

@@ -27,6 +27,10 @@ Expected<TeamPlan> teamPlan(const std::string& robots);
 // names a folder that holds neither behaviours nor parameters.
 Status useTeams(const TeamPlan& plan, SessionOptions& options);
 
+// Of which year the rules of holding are, for referee and behaviours alike, before useTeams(): 2006
+// (3 s and 50 cm, the field's own) or 2005 (3 s, any way).
+void useRules(const std::string& year, SessionOptions& options);
+
 // Every robot of a session, the one that is watched first.
 std::vector<host::AgentHello> robotsOf(const SessionOptions& options);
 

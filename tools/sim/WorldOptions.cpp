@@ -64,6 +64,9 @@ void addWorldOptions(cli::CommandLine& app, WorldOptions& options) {
            "a referee who knows more than goals, balls out and the end");
   app.flag("--from-play", options.world.referee.fromPlay,
            "with --rules: no kick-off and one half, play goes on as it stands; --goals end it");
+  app.option("--holding-distance", options.holdingDistance,
+             "cm that a robot may carry the ball; 0: the field's")
+      .check(cli::inRange(0.0, 500.0));
   app.option("--radio-loss", options.world.radio.loss, "share of packets that are lost")
       .check(cli::inRange(0.0, 1.0));
   app.option("--radio-delay", options.world.radio.delay, "s under way at least")
@@ -91,6 +94,8 @@ Expected<body::FieldDescription> fieldOf(const WorldOptions& options) {
   if (field && options.world.referee.rules)
     field->rules.halfTime =
         (options.world.referee.fromPlay ? 1.0 : 0.5) * options.world.referee.seconds;
+  if (field && options.holdingDistance > 0.0)
+    field->rules.holdingDistance = options.holdingDistance;
   return field;
 }
 

@@ -30,6 +30,7 @@ struct WorldOptions {
   bool tellTime = false;
   bool plainLog = false;
   bool noSlip = false;
+  double holdingDistance = 0.0;  // cm; 0: the field's
   bool physical = true;
   cli::RandomisationOptions randomised;
   StagingWords staging;

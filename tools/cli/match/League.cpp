@@ -25,6 +25,7 @@
 #include "tools/cli/match/Farm.h"
 #include "tools/cli/options/Config.h"
 #include "tools/cli/options/RandomisationOptions.h"
+#include "tools/cli/options/StagingOptions.h"
 #include "tools/league/JournalLines.h"
 #include "tools/league/Run.h"
 #include "tools/league/Table.h"
@@ -43,6 +44,7 @@ struct LeagueOptions {
   std::string out = "out/league";
   std::string robots = "4v4";
   std::string scene;  // of `once`: a situation in place of a match
+  std::string rules = "2006";
   league::LeaguePlan plan;
   int workers = 0;  // 0: one for two cores
   bool physical = false;
@@ -84,6 +86,7 @@ Status readSides(LeagueOptions& options, Folders& folders) {
   const auto robots = teamPlan(options.robots);
   if (!robots) return Error{robots.error()};
   options.plan.about = versionLine() + ", " + options.robots;
+  if (options.rules != "2006") options.plan.about += ", rules of " + options.rules;
   if (options.percepts) options.plan.about += ", percepts";
   for (const std::string& folder : options.folders) {
     const std::string name = nameOf(folder);
@@ -135,6 +138,7 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const LeagueOpti
   session.physical = !match.fast;
   session.percepts = options.percepts;
   session.set = {kNoReload};
+  useRules(options.rules, session);
   const Status used =
       options.scene.empty() ? useTeams(*plan, session) : useScene(options.scene, *plan, session);
   if (!used) return voided(used.error());
@@ -258,6 +262,7 @@ int playUntilDecided(const LeagueOptions& options, const CommandLine& command) {
   pass("--minutes", fmt::format("{}", options.plan.minutes));
   pass("--seed", fmt::format("{}", options.plan.seed));
   pass("--robots", options.robots);
+  pass("--rules", options.rules);
   if (options.workers > 0) pass("--workers", fmt::format("{}", options.workers));
   pass("--out", options.out);
   pass("--by", options.by);
@@ -299,6 +304,7 @@ void addOptions(CommandLine& command, LeagueOptions& options) {
                "Bodies with masses and servos, or kinematic ones (the default)");
   command.flag("--percepts", options.percepts,
                "No images: percepts as vision would make them; a fifth of the processor time");
+  addRulesOption(command, options.rules);
   command.flag("--table", options.table, "Plays nothing: shows what the league has come to");
   auto until =
       command.option("--until", options.until, "Plays two teams until it is known which is better")

@@ -46,6 +46,7 @@ struct PlayOptions {
   std::string opponent = "none";
   std::string robots;      // "4v4"; empty: the one robot, and its opponent
   std::string scene;       // "corner"; empty: none
+  std::string rules = "2006";
   std::string red, blue;   // folders of the teams
   std::string controller;  // "udp" or "udp:PORT"; empty: the world's referee rules
   sim::StagingWords staging;
@@ -192,6 +193,7 @@ void addNames(PlayOptions& options) {
 }
 
 Status addTeams(PlayOptions& options) {
+  useRules(options.rules, options.session);
   if (!options.scene.empty())
     return useScene(options.scene, {0, 0, options.red, options.blue}, options.session);
   if (options.robots.empty() && options.red.empty() && options.blue.empty()) return Done{};
@@ -379,6 +381,7 @@ void addTeamOptions(CommandLine& command, PlayOptions& options) {
       .check(notEmpty())
       .excludes("--opponent")
       .excludes("--scenario");
+  addRulesOption(command, options.rules);
   command.option("--red", options.red, "The red team's folder: main.py, team.toml or both")
       .check(existingFolder());
   command.option("--blue", options.blue, "The blue team's folder").check(existingFolder());

@@ -12,6 +12,15 @@ void addSideOptions(CommandLine& command, std::string& field, std::string& team)
       .showDefault();
 }
 
+void addRulesOption(CommandLine& command, std::string& rules) {
+  command
+      .option("--rules", rules,
+              "Of holding the ball: 2006 (3 s and 50 cm) or 2005 (3 s), for referee and "
+              "behaviours alike")
+      .check(oneOf({"2005", "2006"}))
+      .showDefault();
+}
+
 void addStagingOptions(CommandLine& command, sim::StagingWords& staging) {
   command.option("--place", staging.places,
                  "A robot's place beside the scenario's: TEAM:PLAYER:X,Y,DEG of red's field");
