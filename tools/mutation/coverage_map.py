@@ -43,7 +43,9 @@ def run_all(root, folder):
          'pytest', '-q', '-p', 'no:cacheprovider', '-p', 'no:xdist', str(root / 'tests/py')],
         cwd=root, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if result.returncode != 0:
-        raise SystemExit('mutate: the tests fail without any change:\n' + result.stdout[-2000:])
+        print('mutate: the tests fail without any change:\n' + result.stdout[-2000:],
+              file=sys.stderr)
+        raise SystemExit(2)
     return data
 
 
@@ -73,17 +75,28 @@ def readers_of(root):
     return readers
 
 
+def read_map(cache):
+    """What was kept, or {}: a damaged file is made anew."""
+    try:
+        known = json.loads(cache.read_text())
+    except (OSError, ValueError):
+        return {}
+    return known if isinstance(known, dict) else {}
+
+
 class CoverageMap:
     """Answers which test functions may notice a mutant."""
 
     def __init__(self, root, folder):
         cache = folder / 'map.json'
         wanted = digest(root)
-        known = json.loads(cache.read_text()) if cache.exists() else {}
+        known = read_map(cache)
         if known.get('digest') != wanted:
             lines = read_contexts(root, run_all(root, folder))
             known = {'digest': wanted, 'lines': lines}
-            cache.write_text(json.dumps(known))
+            written = folder / 'map.json.new'
+            written.write_text(json.dumps(known))
+            written.replace(cache)
             known = json.loads(cache.read_text())
         self.lines = known['lines']
         self.readers = readers_of(root)

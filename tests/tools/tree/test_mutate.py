@@ -10,7 +10,7 @@ from conftest import ROOT
 
 sys.path.insert(0, str(ROOT / "tools"))
 
-from mutation.coverage_map import CoverageMap  # noqa: E402
+from mutation.coverage_map import CoverageMap, read_map  # noqa: E402
 from mutation.mutants import Mutant, mutants_of  # noqa: E402
 
 SOURCE = '''\
@@ -88,4 +88,22 @@ def test_a_seed_draws_the_same_changes_again():
 def test_no_change_is_a_complaint(words):
     result = subprocess.run([ROOT / "tools/mutate", "--list", *words], capture_output=True,
                             text=True, check=False, timeout=60)
-    assert result.returncode == 1 and result.stderr == "mutate: there is no such change\n"
+    assert result.returncode == 2 and result.stderr == "mutate: there is no such change\n"
+
+
+@pytest.mark.parametrize("words, says", [
+    (["--n", "0"], "argument --n: "), (["--n", "-3"], "argument --n: "),
+    (["--jobs", "0"], "argument --jobs: "), (["--least", "2"], "argument --least: "),
+    (["--only", "nowhere.py:1"], "there is no such change"),
+    (["--json", "nowhere/of.json", "--list"], "nowhere/of.json: cannot be written")])
+def test_wrong_use_ends_with_one_clear_line_and_code_2_before_any_test_runs(words, says):
+    result = subprocess.run([sys.executable, ROOT / "tools/mutate", *words], check=False,
+                            capture_output=True, text=True, cwd=ROOT, timeout=60)
+    assert result.returncode == 2 and says in result.stderr.splitlines()[-1]
+
+
+@pytest.mark.parametrize("text", ["", '{"digest": "1', "[]"])
+def test_a_damaged_map_of_coverage_is_made_anew(tmp_path, text):
+    (tmp_path / "map.json").write_text(text)
+    assert read_map(tmp_path / "map.json") == {}
+    assert read_map(tmp_path / "none.json") == {}
