@@ -4,9 +4,17 @@
 #                                 log. Pictures of all scenes to look at go to SHEETS (out/scenes).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+. tools/progress
+case ${1:-} in
+  -h | --help) print_help tests/data/record.sh; exit 0 ;;
+esac
+if [ $# -gt 1 ] || [[ ${1:-} == -* ]]; then
+  print_help tests/data/record.sh >&2
+  exit 2
+fi
 sheets=${1:-out/scenes}
+mkdir -p "$sheets" || exit 2
 tools/build host record_scenes kelpie kelpie-agent kelpie-world
-mkdir -p "$sheets"
 build/host/bin/record_scenes tests/data "$sheets"
 match=$(mktemp -d)
 trap 'rm -rf "$match"' EXIT

@@ -113,3 +113,14 @@ def test_bare_without_root_rights_says_so():
     result = run(*drop, "/bin/bash", "-c", script, "tools/bare", "run")
     assert result.returncode == 2
     assert result.stderr == "tools/bare: needs root, to make the folder of a machine\n"
+
+
+@pytest.mark.parametrize("words, code", [
+    (["--help"], 0), (["--sheets"], 2), (["one", "two"], 2),
+    ([ROOT / "tests/data/record.sh"], 2)])
+def test_the_recording_script_asked_wrongly_records_nothing(words, code):
+    data = ROOT / "tests/data"
+    before = {path: path.stat().st_mtime_ns for path in data.rglob("*")}
+    result = run(data / "record.sh", *words)
+    assert result.returncode == code and "Building" not in result.stdout + result.stderr
+    assert {path: path.stat().st_mtime_ns for path in data.rglob("*")} == before
