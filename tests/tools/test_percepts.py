@@ -83,6 +83,13 @@ def test_what_needs_images_or_a_clock_is_refused_in_one_line(tmp_path, words, la
     assert lack in complaint(result)
 
 
+@pytest.mark.parametrize("words", [("--images", "all"), ("--ring", "none")])
+def test_an_option_of_images_is_refused_and_not_passed_over(tmp_path, words):
+    result = match(tmp_path / "out", *words)
+    assert result.returncode == 2
+    assert words[0] in complaint(result) and "--percepts" in complaint(result)
+
+
 def test_a_script_that_does_not_load_is_named(tmp_path):
     result = match(tmp_path / "out", "--red", team(tmp_path / "red", BREAKS))
     assert result.returncode == 2

@@ -498,10 +498,11 @@ void addPlay(CommandLine& app, int& code) {
                     "spectators"}));
   command.flag("--physical,!--fast", session.physical,
                "Bodies with masses, servos and contacts (the default), or kinematic ones");
-  command.flag(
-      "--percepts", session.percepts,
-      "No images: each robot gets the percepts that its vision would make of them, and all "
-      "of the match is one process: a fifth of the processor time (with --fast)");
+  command
+      .flag("--percepts", session.percepts,
+            "No images: each robot gets the percepts that its vision would make of them, and all "
+            "of the match is one process: a fifth of the processor time (with --fast)")
+      .excludes("--ring");
   addRandomisationOptions(command, session.randomised);
   addLeanOptions(command, session.randomised);
   command
@@ -511,6 +512,7 @@ void addPlay(CommandLine& app, int& code) {
               "planes (none, but one frame in fifteen as the colour classes that vision makes of "
               "it; 16 MB; does not replay)")
       .check(oneOf({"some", "all", "planes"}))
+      .excludes("--percepts")
       .showDefault();
   command.flag("--real-time", session.realTime,
                "No faster than a clock, and until Ctrl-C unless --seconds or --goals say "
