@@ -2,8 +2,9 @@
 // Whether the theses' team plays the theses' rules: every row of chapters 4 to 6 of thesis 2006 and
 // of chapter 4 of thesis 2004 with how often it was played in a match of ten minutes of that team
 // against itself, counted from the traces of all robots (RuleCounter.h). A row whose situation did
-// not come is brought about by a staged scene. Rows, scenes, and why a row is nobody's to play:
-// thesis_rules.json.
+// not come is brought about by a staged scene. `thesis-scenes` plays the scenes alone, each once on
+// every seed. Rows, scenes, and why a row is nobody's to play: thesis_rules.json.
+#include <algorithm>
 #include <fstream>
 
 #include "tools/cli/Process.h"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr double kSeconds = 600.0;  // of the match
 constexpr const char* kThesis = KELPIE_SOURCE_DIR "/teams/thesis";
+constexpr const char* kFolder = KELPIE_SOURCE_DIR "/tools/experiments/team/";
 constexpr const char* kRules = KELPIE_SOURCE_DIR "/tools/experiments/team/thesis_rules.json";
 constexpr const char* kChallenge = "challenge";  // the scene that is no match
 // A scene is played by other seeds until all of its rows have come.
@@ -40,7 +42,10 @@ struct Scene {
   std::vector<std::string> carries;
   std::vector<std::string> set;     // parameters of all robots,
   std::vector<std::string> keeper;  // and of each team's number 1
+  std::string params;               // of the first robot: a TOML file beside this one; empty: none
   double seconds = 20.0;
+  double again = 0.0;     // s after which throws and carries come once more, and so on; 0: never
+  bool physical = false;  // also with --fast: kinematic bodies feel no paw
 
   template <int = 0>
   static constexpr auto fields() {
@@ -49,7 +54,8 @@ struct Scene {
                      field("ball", &Scene::ball), field("throws", &Scene::throws),
                      field("takes", &Scene::takes), field("carries", &Scene::carries),
                      field("set", &Scene::set), field("keeper", &Scene::keeper),
-                     field("seconds", &Scene::seconds));
+                     field("params", &Scene::params), field("seconds", &Scene::seconds),
+                     field("again", &Scene::again), field("physical", &Scene::physical));
   }
 };
 
@@ -113,16 +119,30 @@ Expected<cli::SessionOptions> thesisSession(const Request& request, const Trial&
   return session;
 }
 
+// A try that came to nothing is made again.
+void repeat(const Scene& scene, sim::Staging& staging) {
+  const sim::Staging once = staging;
+  for (double later = scene.again; later > 0.0 && later < scene.seconds; later += scene.again) {
+    for (sim::BallThrow thrown : once.throws)
+      if ((thrown.time += later) < scene.seconds) staging.throws.push_back(thrown);
+    for (sim::RobotCarry carry : once.carries)
+      if ((carry.time += later) < scene.seconds) staging.carries.push_back(carry);
+  }
+}
+
 Status countScene(const Request& request, const Trial& trial, const Scene& scene,
                   RuleCounter& counter) {
   auto session = thesisSession(request, trial, scene.robots);
   if (!session) return Error{session.error()};
-  const auto staging =
+  auto staging =
       sim::stagingFrom({scene.places, scene.ball, scene.throws, scene.takes, scene.carries});
   if (!staging) return Error{staging.error()};
   session->rules = false;
+  session->physical = session->physical || scene.physical;
+  repeat(scene, *staging);
   session->staging = *staging;
   session->seconds = scene.seconds;
+  if (!scene.params.empty()) session->params.push_back(std::string(kFolder) + scene.params);
   session->set.insert(session->set.end(), scene.set.begin(), scene.set.end());
   for (cli::OtherRobot& robot : session->others) {
     robot.set.insert(robot.set.end(), scene.set.begin(), scene.set.end());
@@ -257,6 +277,41 @@ Json figuresOf(const Table& table, const Found& found, int trials) {
               {"rows", rows}};
 }
 
+// On how many seeds each row's scene, played once, brings it.
+Json seedsOf(const Table& table, const std::vector<int>& seeds, int trials) {
+  Json rows = Json::array();
+  int fewest = trials;
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    const Rule& rule = table.rules[i];
+    if (rule.scene.empty()) continue;
+    rows.push_back({{"id", rule.id}, {"scene", rule.scene}, {"seeds_with_it", seeds[i]}});
+    fewest = std::min(fewest, seeds[i]);
+  }
+  return Json{{"fewest_seeds_with_a_row", fewest}, {"rows", rows}};
+}
+
+Status countSeed(const Request& request, const Trial& trial, const Table& table,
+                 std::vector<int>& seeds) {
+  for (const Scene& scene : table.scenes) {
+    const auto counted = countIn(request, trial, scene, table.rules);
+    if (!counted) return Error{counted.error()};
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+      if (table.rules[i].scene == scene.name) seeds[i] += counted->times[i] > 0 ? 1 : 0;
+  }
+  return Done{};
+}
+
+Expected<Json> thesisScenes(const Request& request) {
+  cli::catchInterrupts();
+  const auto table = readTable();
+  if (!table) return Error{table.error()};
+  std::vector<int> seeds(table->rules.size());
+  const Status counted = eachTrial(
+      request, [&](const Trial& trial) { return countSeed(request, trial, *table, seeds); });
+  if (!counted) return Error{counted.error()};
+  return seedsOf(*table, seeds, request.trials);
+}
+
 Expected<Json> thesisRules(const Request& request) {
   cli::catchInterrupts();
   const auto table = readTable();
@@ -272,6 +327,10 @@ const Registration kThesisRules("thesis-rules", "how often the theses' team play
                                 {Option::trials, Option::seed, Option::params, Option::fast,
                                  Option::minutes},
                                 1, thesisRules);
+const Registration kThesisScenes("thesis-scenes",
+                                 "on how many seeds a staged scene brings the thesis' rule",
+                                 {Option::trials, Option::seed, Option::params, Option::fast}, 20,
+                                 thesisScenes);
 
 }  // namespace
 }  // namespace kelpie::experiments
