@@ -109,7 +109,7 @@ Expected<Json> sceneSides(const Request& request) {
 }
 
 const Registration kSceneSides(
-    "scenes", "two teams (--a, --b) in the same drawn situations, kind by kind, in both colours",
+    "scenes", "two teams (--a, --b) in the same drawn situations, kind by kind",
     {Option::trials, Option::seed, Option::sides}, 20, sceneSides);
 
 }  // namespace
