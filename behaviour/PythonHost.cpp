@@ -94,12 +94,15 @@ void PythonHost::prepare(const Constants& constants, const PythonHost* beside) {
   if (commandType_ && types_->good()) world_ = std::move(world);
 }
 
+bool PythonHost::takeFrom(const PythonHost& beside, const char* name) {
+  const PythonRef shared(PyObject_GetAttrString(beside.guard_.get(), name));
+  return shared && PyObject_SetAttrString(guard_.get(), name, shared.get()) == 0;
+}
+
 // The signal is the process's: the first of several hosts hears it for all, by its own exception.
+// Compiling takes most of loading: of eight hosts one does it.
 bool PythonHost::watch(const PythonHost* beside) {
-  if (beside != nullptr) {
-    const PythonRef limit(PyObject_GetAttrString(beside->guard_.get(), "TimeLimit"));
-    return limit && PyObject_SetAttrString(guard_.get(), "TimeLimit", limit.get()) == 0;
-  }
+  if (beside != nullptr) return takeFrom(*beside, "TimeLimit") && takeFrom(*beside, "compiled");
   const PythonRef watched(PyObject_CallMethod(guard_.get(), "watch", nullptr));
   Watchdog::listen();
   return static_cast<bool>(watched);

@@ -45,6 +45,7 @@ class PythonHost {
   void prepare(const Constants& constants, const PythonHost* beside);
   bool listen();
   bool watch(const PythonHost* beside);
+  bool takeFrom(const PythonHost& beside, const char* name);  // of its guard
   void tellLeftOut(std::uint32_t lines);
   std::size_t heapToLoad();
   std::size_t heapToDecide(const BehaviourParams& params) const;

@@ -40,6 +40,24 @@ class TimeLimit(BaseException):
     """Not an Exception: `except Exception` in a behaviour must not swallow it."""
 
 
+# Of each file its text and what that compiles to, as bytes. Hosts that share the interpreter have
+# this dict in common.
+compiled = {}
+
+
+def code_of(text, file):
+    """A new code object each time: modules that ran the same one would take from each other what
+    the interpreter learns about their names."""
+    import marshal
+    known = compiled.get(file)
+    if known is not None and known[0] == text:
+        return marshal.loads(known[1])
+    # 1: with docstrings, for help().
+    code = compile(text, file, 'exec', dont_inherit=True, optimize=1)
+    compiled[file] = text, marshal.dumps(code)
+    return code
+
+
 class Folder:
     def __init__(self, path):
         self.path = path
@@ -50,9 +68,7 @@ class Folder:
         for file, package in ((stem + '.py', False), (stem + '/__init__.py', True)):
             try:
                 with open(file, 'rb') as stream:
-                    text = stream.read()
-                # 1: with docstrings, for help().
-                return compile(text, file, 'exec', dont_inherit=True, optimize=1), package
+                    return code_of(stream.read(), file), package
             except (FileNotFoundError, NotADirectoryError):
                 pass
         return self.namespace(stem)

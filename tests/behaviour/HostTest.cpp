@@ -385,6 +385,15 @@ TEST(Host, TwoStatesOfOneProcessShareNoModule) {
   EXPECT_EQ(two.step().walk.forward, 1.0);
 }
 
+TEST(Host, AStateBesideAnotherPlaysWhatTheFileSaysWhenItIsMade) {
+  const Scripts scripts("return kelpie.Command(walk=kelpie.WalkRequest(forward=1.0))");
+  HostRun one(scripts);
+  scripts.writeDecide("return kelpie.Command(walk=kelpie.WalkRequest(forward=12.0))");
+  HostRun two(scripts, one);
+  EXPECT_EQ(two.step().walk.forward, 12.0);
+  EXPECT_EQ(one.step().walk.forward, 12.0);
+}
+
 TEST(Host, AScriptWithoutEndIsBrokenOffBesideAnotherThatPlaysOn) {
   const Scripts endless("while True: pass");
   const Scripts good("return kelpie.Command()");
