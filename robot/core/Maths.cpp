@@ -77,11 +77,16 @@ Quarters quartersOf(double radians) {
   return {count, static_cast<unsigned>(static_cast<std::int64_t>(count) & 3)};
 }
 
+// The angle less that many quarter turns, in [-pi/4, pi/4].
+double lessQuarters(double radians, double quarters) {
+  return ((radians - quarters * kHalfPiHigh) - quarters * kHalfPiMid) - quarters * kHalfPiLow;
+}
+
 }  // namespace
 
 SinCos sinCos(double radians) {
   const auto [k, quadrant] = quartersOf(radians);
-  const double x = ((radians - k * kHalfPiHigh) - k * kHalfPiMid) - k * kHalfPiLow;
+  const double x = lessQuarters(radians, k);
   const double s = sinReduced(x);
   const double c = cosReduced(x);
   switch (quadrant) {
@@ -92,9 +97,20 @@ SinCos sinCos(double radians) {
   }
 }
 
-double sin(double radians) { return sinCos(radians).sin; }
+// One series where sinCos() takes two; the same bits.
+double sin(double radians) {
+  const auto [k, quadrant] = quartersOf(radians);
+  const double x = lessQuarters(radians, k);
+  const double value = (quadrant & 1U) == 0 ? sinReduced(x) : cosReduced(x);
+  return quadrant < 2 ? value : -value;
+}
 
-double cos(double radians) { return sinCos(radians).cos; }
+double cos(double radians) {
+  const auto [k, quadrant] = quartersOf(radians);
+  const double x = lessQuarters(radians, k);
+  const double value = (quadrant & 1U) == 0 ? cosReduced(x) : sinReduced(x);
+  return quadrant == 0 || quadrant == 3 ? value : -value;
+}
 
 double tan(double radians) {
   const SinCos sc = sinCos(radians);

@@ -24,6 +24,16 @@ TEST(Maths, AgreesWithTheCLibraryToAFewUnitsInTheLastPlace) {
   }
 }
 
+TEST(Maths, SineAndCosineAloneHaveTheBitsOfThePair) {
+  Random random(9);
+  for (int i = 0; i < 20000; ++i) {
+    const double x = random.uniform(-30.0, 30.0);
+    const maths::SinCos both = maths::sinCos(x);
+    EXPECT_EQ(maths::sin(x), both.sin);
+    EXPECT_EQ(maths::cos(x), both.cos);
+  }
+}
+
 TEST(Maths, ExtremesStayFinite) {
   EXPECT_EQ(maths::exp(-1e9), 0.0);
   EXPECT_TRUE(std::isfinite(maths::exp(1e9)));
