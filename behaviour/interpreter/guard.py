@@ -40,22 +40,16 @@ class TimeLimit(BaseException):
     """Not an Exception: `except Exception` in a behaviour must not swallow it."""
 
 
-# Of each file its text and what that compiles to, as bytes. Hosts that share the interpreter have
-# this dict in common.
-compiled = {}
+compiled = {}  # (text, code) of each file; hosts that share the interpreter have it in common
 
 
 def code_of(text, file):
-    """A new code object each time: modules that ran the same one would take from each other what
-    the interpreter learns about their names."""
-    import marshal
     known = compiled.get(file)
-    if known is not None and known[0] == text:
-        return marshal.loads(known[1])
-    # 1: with docstrings, for help().
-    code = compile(text, file, 'exec', dont_inherit=True, optimize=1)
-    compiled[file] = text, marshal.dumps(code)
-    return code
+    if known is None or known[0] != text:
+        # 1: with docstrings, for help().
+        known = text, compile(text, file, 'exec', dont_inherit=True, optimize=1)
+        compiled[file] = known
+    return known[1]
 
 
 class Folder:

@@ -8,17 +8,15 @@
 namespace kelpie::behaviour {
 namespace {
 
+// Of a struct or a sequence. Behind it stand its parts that are views themselves, each from the
+// first time that it is asked for: as many as its ob_size.
 struct View {
-  PyObject_HEAD;
+  PyObject_VAR_HEAD;
   const char* data;
-  const Members* members;
+  const Item* item;  // what it shows
 };
 
-struct Sequence {
-  PyObject_HEAD;
-  const char* data;
-  const Item* item;  // describes the whole sequence
-};
+PyObject** partsOf(View* view) { return reinterpret_cast<PyObject**>(view + 1); }
 
 template <class T>
 T read(const char* at) {
@@ -27,22 +25,13 @@ T read(const char* at) {
   return value;
 }
 
-PyObject* make(const Item& item, const char* at);
-
 PyObject* makeView(const Item& item, const char* data) {
-  auto* view = PyObject_New(View, item.viewType);
+  auto* view = PyObject_NewVar(View, item.type, static_cast<Py_ssize_t>(item.parts));
   if (view == nullptr) return nullptr;
   view->data = data;
-  view->members = item.members;
+  view->item = &item;
+  std::fill_n(partsOf(view), item.parts, nullptr);
   return reinterpret_cast<PyObject*>(view);
-}
-
-PyObject* makeSequence(const Item& item, const char* data) {
-  auto* sequence = PyObject_New(Sequence, item.sequenceType);
-  if (sequence == nullptr) return nullptr;
-  sequence->data = data;
-  sequence->item = &item;
-  return reinterpret_cast<PyObject*>(sequence);
 }
 
 PyObject* make(const Item& item, const char* at) {
@@ -56,43 +45,56 @@ PyObject* make(const Item& item, const char* at) {
       return PyFloat_FromDouble(item.factor * static_cast<double>(read<std::int64_t>(at)));
     case ItemKind::text:
       return PyUnicode_DecodeUTF8(at, static_cast<Py_ssize_t>(item.size(at)), "replace");
-    case ItemKind::view: return makeView(item, at);
-    case ItemKind::sequence: return makeSequence(item, at);
+    case ItemKind::view:
+    case ItemKind::sequence: return makeView(item, at);
   }
   Py_RETURN_NONE;
 }
 
+// A view always shows the same place: the one that was made at first serves all frames.
+PyObject* part(View* view, std::size_t number, const Item& item, const char* at) {
+  if (!item.isView()) return make(item, at);
+  PyObject*& kept = partsOf(view)[number];
+  if (kept == nullptr) kept = make(item, at);
+  Py_XINCREF(kept);
+  return kept;
+}
+
 PyObject* getMember(PyObject* self, void* closure) {
   const Item& item = *static_cast<const Item*>(closure);
-  return make(item, reinterpret_cast<View*>(self)->data + item.offset);
+  auto* const view = reinterpret_cast<View*>(self);
+  return part(view, item.number, item, view->data + item.offset);
 }
 
 // Names that are no member's, or not interned, go the usual way.
 PyObject* getAttribute(PyObject* self, PyObject* name) {
-  const auto* view = reinterpret_cast<View*>(self);
-  const Item* item = view->members->find(name);
+  auto* const view = reinterpret_cast<View*>(self);
+  const Item* item = view->item->members->find(name);
   if (item == nullptr) return PyObject_GenericGetAttr(self, name);
-  return make(*item, view->data + item->offset);
+  return part(view, item->number, *item, view->data + item->offset);
 }
 
 Py_ssize_t sequenceLength(PyObject* self) {
-  const auto* sequence = reinterpret_cast<Sequence*>(self);
+  const auto* sequence = reinterpret_cast<View*>(self);
   return static_cast<Py_ssize_t>(sequence->item->size(sequence->data));
 }
 
 PyObject* sequenceItem(PyObject* self, Py_ssize_t index) {
-  const auto* sequence = reinterpret_cast<Sequence*>(self);
+  auto* const sequence = reinterpret_cast<View*>(self);
   if (index < 0 || index >= sequenceLength(self)) {
     PyErr_SetString(PyExc_IndexError, "beyond the last element");
     return nullptr;
   }
-  const auto step = static_cast<std::size_t>(index) * sequence->item->stride;
-  return make(*sequence->item->element, sequence->data + step);
+  const auto number = static_cast<std::size_t>(index);
+  const Item& item = *sequence->item;
+  return part(sequence, number, *item.element, sequence->data + number * item.stride);
 }
 
 // Heap types own a reference from each of their objects.
 void dealloc(PyObject* self) {
   PyTypeObject* type = Py_TYPE(self);
+  PyObject** const parts = partsOf(reinterpret_cast<View*>(self));
+  for (Py_ssize_t i = 0; i < Py_SIZE(self); ++i) Py_XDECREF(parts[i]);
   type->tp_free(self);
   Py_DECREF(type);
 }
@@ -108,7 +110,9 @@ constexpr unsigned kTypeFlags =
 }  // namespace
 
 std::size_t Members::home(PyObject* name) const {
-  return (reinterpret_cast<std::uintptr_t>(name) >> 3U) & (slots_.size() - 1);
+  // Python's blocks lie 16 bytes apart; the upper bits part those of one row.
+  const auto place = reinterpret_cast<std::uintptr_t>(name) >> 4U;
+  return (place ^ (place >> 6U)) & (slots_.size() - 1);
 }
 
 void Members::add(PythonRef name, const Item& item) {
@@ -140,12 +144,14 @@ ViewTypes::ViewTypes() {
                          {Py_sq_length, slot(sequenceLength)},
                          {Py_sq_item, slot(sequenceItem)},
                          {0, nullptr}};
-  PyType_Spec spec{"kelpie.Sequence", static_cast<int>(sizeof(Sequence)), 0, kTypeFlags, slots};
+  PyType_Spec spec{"kelpie.Sequence", static_cast<int>(sizeof(View)), sizeof(PyObject*), kTypeFlags,
+                   slots};
   sequence_ = PythonRef(PyType_FromSpec(&spec));
 }
 
 PythonRef ViewTypes::newView(const Item& item, const char* data) {
-  return PythonRef(item.viewType == nullptr ? nullptr : makeView(item, data));
+  items_.push_back(item);
+  return PythonRef(item.type == nullptr ? nullptr : makeView(items_.back(), data));
 }
 
 void ViewTypes::finish(ViewType& type) {
@@ -161,7 +167,8 @@ void ViewTypes::finish(ViewType& type) {
                          {Py_tp_getattro, slot(getAttribute)},
                          {Py_tp_getset, type.getters.data()},
                          {0, nullptr}};
-  PyType_Spec spec{type.pythonName.c_str(), static_cast<int>(sizeof(View)), 0, kTypeFlags, slots};
+  PyType_Spec spec{type.pythonName.c_str(), static_cast<int>(sizeof(View)), sizeof(PyObject*),
+                   kTypeFlags, slots};
   type.type = PythonRef(PyType_FromSpec(&spec));
   if (!type.type) failed_ = true;
 }

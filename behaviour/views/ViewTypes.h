@@ -23,13 +23,16 @@ class Members;
 struct Item {
   ItemKind kind = ItemKind::real;
   std::size_t offset = 0;
-  double factor = 1.0;  // real: from stored to shown; big: seconds per count
-  PyTypeObject* viewType = nullptr;
-  const Members* members = nullptr;  // of the view
-  PyTypeObject* sequenceType = nullptr;
+  double factor = 1.0;                         // real: from stored to shown; big: seconds per count
+  std::size_t number = 0;                      // of a view: among the views of its struct
+  PyTypeObject* type = nullptr;                // of a view or sequence
+  std::size_t parts = 0;                       // views in it: members, or elements at most
+  const Members* members = nullptr;            // of a view
   std::size_t stride = 0;                      // sequence: bytes from one element to the next
   std::size_t (*size)(const char*) = nullptr;  // of a sequence or text
   const Item* element = nullptr;               // of a sequence
+
+  bool isView() const { return kind == ItemKind::view || kind == ItemKind::sequence; }
 };
 
 // A struct's members by their names in Python, interned strings that are distinguished by address:
@@ -71,18 +74,19 @@ class ViewTypes {
     std::vector<PyGetSetDef> getters;
     Members members;
     PythonRef type;
+    std::size_t parts = 0;  // members that are views
   };
 
   template <class T>
   const ViewType& typeFor();
   template <class T>
   Item itemFor(const char* unit);
-  static PythonRef newView(const Item& item, const char* data);
+  PythonRef newView(const Item& item, const char* data);
   void finish(ViewType& type);
 
   PythonRef sequence_;
   std::vector<std::unique_ptr<ViewType>> types_;
-  std::deque<Item> elements_;  // of sequences: a deque, since items point into it
+  std::deque<Item> items_;  // of no struct: elements, and what view() shows; they are pointed at
   bool failed_ = false;
 };
 
@@ -111,15 +115,17 @@ Item ViewTypes::itemFor(const char* unit) {
     item.size = [](const char* at) { return reinterpret_cast<const T*>(at)->size(); };
   } else if constexpr (kIsSequence<T>) {
     item.kind = ItemKind::sequence;
-    item.sequenceType = reinterpret_cast<PyTypeObject*>(sequence_.get());
+    item.type = reinterpret_cast<PyTypeObject*>(sequence_.get());
     item.stride = sizeof(typename T::value_type);
     item.size = [](const char* at) { return reinterpret_cast<const T*>(at)->size(); };
-    elements_.push_back(itemFor<typename T::value_type>(unit));
-    item.element = &elements_.back();
+    items_.push_back(itemFor<typename T::value_type>(unit));
+    item.element = &items_.back();
+    if (item.element->isView()) item.parts = sizeof(T) / sizeof(typename T::value_type);
   } else {
     item.kind = ItemKind::view;
     const ViewType& type = typeFor<T>();
-    item.viewType = reinterpret_cast<PyTypeObject*>(type.type.get());
+    item.type = reinterpret_cast<PyTypeObject*>(type.type.get());
+    item.parts = type.parts;
     item.members = &type.members;
   }
   return item;
@@ -139,6 +145,7 @@ const ViewTypes::ViewType& ViewTypes::typeFor() {
     Item item = itemFor<Member>(f.unit);
     item.offset = static_cast<std::size_t>(reinterpret_cast<const char*>(&member) -
                                            reinterpret_cast<const char*>(sample.get()));
+    if (item.isView()) item.number = type->parts++;
     type->names.push_back(pythonName<Member>(f.name, f.unit));
     type->items.push_back(item);
   });

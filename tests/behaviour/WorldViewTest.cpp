@@ -91,6 +91,15 @@ TEST(WorldView, TheShippedQuestionsToTheObstacleMapAreAnswered) {
   EXPECT_EQ(command.walk.left, 6.0);     // seen by itself and by mates, ahead
 }
 
+TEST(WorldView, APartIsTheSameObjectWheneverItIsAskedFor) {
+  const Scripts scripts("return kelpie.Command()");
+  HostRun run(scripts);
+  run.percepts.landmarks.resize(2);
+  EXPECT_EQ(seen(run, scripts, "world.ball.relative is world.ball.relative"), 1.0);
+  EXPECT_EQ(seen(run, scripts, "world.percepts.landmarks[1] is world.percepts.landmarks[1]"), 1.0);
+  EXPECT_EQ(seen(run, scripts, "world.percepts.landmarks[0] is world.percepts.landmarks[1]"), 0.0);
+}
+
 TEST(WorldView, NothingCanBeWritten) {
   for (const char* body :
        {"world.frame = 3", "world.ball.distance = 1", "world.new = 1", "world.pose.position.x = 2",
