@@ -88,8 +88,9 @@ Expected<std::vector<Player>> playersOf(const Options& options) {
   return players;
 }
 
-// The agents, with the logs that are asked for.
+// The agents, with the logs that are asked for. They see no image, but their logs name the tables.
 struct Agents {
+  vision::VisionCalibration nominal = vision::nominalCalibration();
   std::vector<MatchRobot> robots;
   std::vector<std::unique_ptr<cli::LogFile>> logs;
 
@@ -103,16 +104,17 @@ struct Agents {
 };
 
 // Edits are not looked for: a match takes seconds.
-Expected<agent::AgentConfig> configOf(const Player& player) {
+Expected<agent::AgentConfig> configOf(const Player& player,
+                                      const vision::VisionCalibration& nominal) {
   const Status scripts = cli::checkScripts(player.scripts);
   if (!scripts) return Error{scripts.error()};
-  auto config = cli::makeConfig(player.config);
+  auto config = cli::makeConfig(player.config, nominal);
   if (config) config->behaviour.reload = false;
   return config;
 }
 
 Status addAgent(const Player& player, const Options& options, Agents& agents) {
-  auto config = configOf(player);
+  auto config = configOf(player, agents.nominal);
   if (!config) return Error{config.error()};
   MatchRobot robot{*config, player.scripts};
   if (!player.log.empty()) {

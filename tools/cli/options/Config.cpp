@@ -128,11 +128,15 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
 }
 
 Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options) {
+  return makeConfig(options, vision::nominalCalibration());
+}
+
+Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options,
+                                        const vision::VisionCalibration& nominal) {
   agent::AgentConfig config;
-  config.calibration = vision::nominalCalibration();
+  config.calibration = nominal;
   ConfigOptions request = options;
   if (request.field.empty()) request.field = "2006";
-  if (request.ring.empty()) request.ring = "nominal";
   const Status applied = applyConfig(request, config);
   if (!applied) return Error{applied.error()};
   return config;

@@ -40,6 +40,9 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config);
 
 // The default configuration: field 2006, red player 1, nominal colours and ring.
 Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options);
+// The same with nominal colours and ring that are there already, as for each of several robots.
+Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options,
+                                        const vision::VisionCalibration& nominal);
 
 // A folder of behaviours must hold main.py; a zip is looked into when it is loaded.
 Status checkScripts(const std::string& scripts);
