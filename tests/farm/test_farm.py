@@ -31,7 +31,7 @@ def one_line(result):
     (['play', 'strong', 'nobody'], 'nobody: no such folder'),
     (['play', 'strong', 'strong'], "both teams are called 'strong'"),
     (['play', 'strong', 'weak', '--bounds', '1,0'], 'LOW is below HIGH'),
-    (['play', 'strong', 'weak', '--by', 'value'], 'say --bounds'),
+    (['play', 'strong', 'weak', '--by', 'value', '--bounds', '1'], 'two numbers'),
     (['play', 'strong', 'weak', '--seed', '-1'], '-1: from 0'),
     (['play', 'strong', 'weak', '--minutes', 'nan'], 'nan: from 0.1'),
     (['play', 'strong', 'weak', '--workers', 'two'], 'two'),

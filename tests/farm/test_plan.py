@@ -103,14 +103,15 @@ def test_another_plan_is_another_test(change):
 
 
 @pytest.mark.parametrize('by, words, bounds', [
-    ('score', '', (0.5, 0.55)), ('goals', '', (0.0, 0.25)), ('value', '-0.1,0.2', (-0.1, 0.2))])
+    ('score', '', (0.5, 0.55)), ('goals', '', (0.0, 0.25)), ('value', '', (0.0, 0.1)),
+    ('value', '-0.1,0.2', (-0.1, 0.2))])
 def test_bounds_are_those_asked_for_or_the_usual_ones(by, words, bounds):
     assert checked_bounds(by, words) == bounds
 
 
 @pytest.mark.parametrize('by, words', [
     ('score', '0.5,1.0'), ('score', '0,0.5'), ('goals', '1,1'), ('goals', '2,1'), ('goals', 'a,b'),
-    ('goals', '1'), ('goals', '1,2,3'), ('goals', 'nan,1'), ('value', ''), ('goals', '0,inf')])
+    ('goals', '1'), ('goals', '1,2,3'), ('goals', 'nan,1'), ('value', '0.1,0'), ('goals', '0,inf')])
 def test_bounds_that_mean_nothing_are_refused(by, words):
     with pytest.raises(Trouble):
         checked_bounds(by, words)

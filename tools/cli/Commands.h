@@ -27,6 +27,7 @@ void addFilm(CommandLine& app, int& code);
 void addBench(CommandLine& app, int& code);
 void addLeague(CommandLine& app, int& code);
 void addFarm(CommandLine& app, int& code);
+void addValue(CommandLine& app, int& code);
 void addCalibrate(CommandLine& app, int& code);
 void addMotion(CommandLine& app, int& code);
 void addStick(CommandLine& app, int& code);

@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
   kelpie::cli::addBench(app, code);
   kelpie::cli::addLeague(app, code);
   kelpie::cli::addFarm(app, code);
+  kelpie::cli::addValue(app, code);
   kelpie::cli::addCalibrate(app, code);
   kelpie::cli::addMotion(app, code);
   kelpie::cli::addStick(app, code);

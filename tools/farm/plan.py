@@ -15,7 +15,9 @@ from farm.store import BLUE, RED
 from farm.work import Match, Trouble
 
 SCORE, GOALS, VALUE = 'score', 'goals', 'value'
-USUAL = {SCORE: (0.5, 0.55), GOALS: (0.0, 0.25)}   # a win is 1, a draw 0.5; goals a match
+# A win is 1, a draw 0.5; goals a match; expected goals a match, in which the same lead is less, since
+# the value takes both teams for equally good.
+USUAL = {SCORE: (0.5, 0.55), GOALS: (0.0, 0.25), VALUE: (0.0, 0.1)}
 
 
 class Plan(NamedTuple):
@@ -70,8 +72,6 @@ def plan_of(stored):
 def checked_bounds(by, words):
     """LOW,HIGH as two numbers; `words` may be empty."""
     if not words:
-        if by not in USUAL:
-            raise Trouble(f'by {by}: say --bounds LOW,HIGH')
         return USUAL[by]
     try:
         low, high = map(float, words.split(','))

@@ -29,6 +29,7 @@
 #include "tools/league/JournalLines.h"
 #include "tools/league/Run.h"
 #include "tools/league/Table.h"
+#include "tools/league/value/Report.h"
 #include "tools/session/SceneSession.h"
 #include "tools/session/Session.h"
 #include "tools/session/Teams.h"
@@ -124,9 +125,20 @@ class Complaints {
   std::set<std::string> reported_;
 };
 
-// The pure function of a league: processes of its own, nothing kept.
+// What a match was worth, beside its result (tools/league/value).
+Expected<nlohmann::ordered_json> worthOf(const std::string& worldLog) {
+  const auto models = value::readModels(value::modelFolder());
+  if (!models) return Error{models.error()};
+  const auto match = value::readTruth(worldLog);
+  if (!match) return Error{match.error()};
+  return value::jsonOf(value::figuresOf(*match, *models, *body::fieldDescription("2006")));
+}
+
+// The pure function of a league: processes of its own, nothing kept. `worth`: filled with what
+// worthOf() says; null: nobody asks.
 league::MatchResult playMatch(const league::LeagueMatch& match, const LeagueOptions& options,
-                              const Folders& folders, Complaints& complaints) {
+                              const Folders& folders, Complaints& complaints,
+                              nlohmann::ordered_json* worth = nullptr) {
   league::MatchResult result;
   auto plan = teamPlan(options.robots);
   if (!plan) return voided(plan.error());
@@ -144,8 +156,18 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const LeagueOpti
   if (!used) return voided(used.error());
   SessionTalk talk;
   talk.line = [&](const std::string& line) { complaints.hear(match, line); };
+  session.keepFrames = worth != nullptr;
+  std::string unread;
+  talk.frames = [&](const std::string&, const std::string& worldLog) {
+    auto told = worthOf(worldLog);
+    if (told)
+      *worth = std::move(*told);
+    else
+      unread = told.error();
+  };
   const SessionResult played = runSession(session, talk);
   result.trouble = played.interrupted ? "interrupted" : played.trouble;
+  if (result.trouble.empty()) result.trouble = unread;
   result.redGoals = static_cast<int>(played.goals.size());
   result.blueGoals = static_cast<int>(played.ownGoals.size());
   if (session.team == "blue") std::swap(result.redGoals, result.blueGoals);
@@ -243,10 +265,12 @@ int playOnce(LeagueOptions options) {
     Complaints complaints;
     const league::LeagueMatch match{red, blue, options.plan.seed, options.plan.minutes,
                                     !options.physical};
-    const auto result = playMatch(match, options, folders, complaints);
+    nlohmann::ordered_json worth;
+    const auto result = playMatch(match, options, folders, complaints, &worth);
     if (!result.trouble.empty())
       return fail(result.trouble, interrupted() ? kExitInterrupted : kExitMachine);
     answer.update(nlohmann::ordered_json::parse(league::matchLine(0, match, result)));
+    answer.update(worth);
   }
   fmt::print("{}\n", answer.dump());
   return kExitDone;

@@ -19,6 +19,7 @@
 #include "tools/cli/options/Config.h"
 #include "tools/cli/options/StagingOptions.h"
 #include "tools/cli/show/Film.h"
+#include "tools/league/value/Report.h"
 #include "tools/session/MatchFolder.h"
 #include "tools/session/MatchLine.h"
 #include "tools/session/Others.h"
@@ -295,6 +296,16 @@ ImagesKept imagesKept(const std::string& word) {
   return word == "planes" ? ImagesKept::planes : ImagesKept::some;
 }
 
+// Shots and expected goals; a match in which nothing was played has none.
+void tellWorth(const PlayOptions& options) {
+  const auto models = value::readModels(value::modelFolder());
+  const auto match = value::readTruth(options.session.log);
+  if (!models || !match) return;
+  const auto field = *body::fieldDescription(options.session.field);
+  const value::MatchFigures figures = value::figuresOf(*match, *models, field);
+  if (figures.played > 0.0) fmt::print("{}\n", value::lineOf(figures));
+}
+
 // What was played is reported all the same; a match without a goal is done, too.
 int exitCode(const PlayOptions& options, const SessionResult& result) {
   if (!result.logTrouble.empty()) return fail(result.logTrouble, kExitMachine);
@@ -327,6 +338,7 @@ int tellMatch(const PlayOptions& options, const SessionResult& result, double to
   const int pictures = result.logged ? makePictures(options, result.logs) : kExitDone;
   nameFiles(options, result.seconds);
   if (options.session.allLogs) nameLogs(options, result.logs);
+  if (options.session.rules && result.logged) tellWorth(options);
   fmt::print("{} (seed {}, {:.1f} simulated seconds in {:.1f} s)\n",
              options.session.rules ? score(options, result) : outcome(result), options.session.seed,
              result.seconds, took);
