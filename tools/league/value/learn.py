@@ -10,6 +10,7 @@ match is judged by a model that has seen it. Needs python3-sklearn: tools/instal
 import argparse
 import csv
 import json
+import subprocess
 import sys
 from pathlib import Path
 
@@ -33,11 +34,9 @@ PLACES = {
     'guards': (0, 1, 2, 4),
     'ownHold': (0, 1),
     'otherHold': (0, 1),
-    'own': (2, 3, 4),
-    'other': (2, 3, 4),
-}
-HORIZON = 10.0                     # s
-FLATNESS = (0.003, 0.01, 0.03, 0.1)   # C of the regression
+}   # own and other are left out: too few robots were off the field to tell what that is worth
+HORIZON = 10.0                       # s
+FLATNESS = (0.003, 0.01, 0.03, 0.1)  # C of the regression
 FOLDS = 5
 BINS = 10
 
@@ -139,6 +138,16 @@ def chosen(inputs, hit, matches):
     return min(tries, key=lambda one: log_loss(one[1], hit))
 
 
+def version():
+    """The commit of the source tree, whose matches these are taken for."""
+    try:
+        done = subprocess.run(['git', '-C', str(Path(__file__).parent), 'rev-parse', '--short=8',
+                               'HEAD'], capture_output=True, text=True, check=False)
+        return done.stdout.strip() or 'unknown'
+    except OSError:
+        return 'unknown'
+
+
 def learn(matches, columns, horizon=HORIZON):
     """(the model as JSON, its bins of calibration)"""
     hit, known = scored(columns, horizon)
@@ -149,7 +158,7 @@ def learn(matches, columns, horizon=HORIZON):
     base = log_loss(np.full(len(hit), hit.mean()), hit)
     bins, gap = calibration(p, hit)
     model = fitted(inputs, hit, flatness)
-    learnt = {'matches': len(set(matches)), 'rows': len(hit), 'scored_share': float(hit.mean()),
+    learnt = {'commit': version(), 'matches': len(set(matches)), 'rows': len(hit), 'scored_share': float(hit.mean()),
               'flatness': flatness, 'log_loss': log_loss(p, hit), 'base_log_loss': base,
               'gain': 1.0 - log_loss(p, hit) / base, 'calibration_error': gap,
               'from': sorted(set(matches))}
