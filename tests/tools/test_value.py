@@ -129,3 +129,33 @@ def test_a_log_without_truth_leaves_no_rows(tmp_path):
     said = kelpie('value', log, '--rows', tmp_path / 'rows.csv')
     assert said.returncode == 2 and complaint(said)
     assert not (tmp_path / 'rows.csv').exists()
+
+
+def test_a_match_of_its_own_tells_its_value_as_red_sees_it():
+    played = kelpie('league', ROOT / 'teams/kelpie', ROOT / 'teams/thesis', '--once', '--percepts',
+                    '--minutes', '0.1', '--seed', '3')
+    assert played.returncode == 0, played.stderr
+    told = json.loads(played.stdout)
+    assert told['value'] == pytest.approx(told['red_value'] - told['blue_value'])
+    for key in ('red_shots', 'red_xg', 'blue_shots', 'blue_xg'):
+        assert told[key] >= 0
+
+
+def test_play_tells_expected_goals_and_kelpie_value_the_same_of_its_log(tmp_path):
+    played = kelpie('play', '--robots', '1v1', '--percepts', '--fast', '--minutes', '0.2',
+                    '--out', tmp_path)
+    assert played.returncode == 0, played.stderr
+    line = next(line for line in played.stdout.splitlines() if line.startswith('expected goals '))
+    said = kelpie('value', tmp_path / 'match.mcap')
+    assert said.returncode == 0, said.stderr
+    red = next(line for line in said.stdout.splitlines() if line.startswith('red '))
+    assert line.split()[2] == red.split()[2]
+
+
+def test_evaluate_judges_matches_of_both_teams(tmp_path):
+    done = kelpie('evaluate', 'value', '--fast', '--trials', '1', '--minutes', '0.2', '--seed', '5',
+                  '--json', tmp_path / 'figures.json')
+    assert done.returncode == 0, done.stderr
+    figures = json.loads((tmp_path / 'figures.json').read_text())
+    assert 0.1 < figures['played_min'] < 0.6
+    assert set(figures['near']) == set(figures['far'])

@@ -15,8 +15,8 @@ from farm.store import BLUE, RED
 from farm.work import Match, Trouble
 
 SCORE, GOALS, VALUE = 'score', 'goals', 'value'
-# A win is 1, a draw 0.5; goals a match; expected goals a match, in which the same lead is less, since
-# the value takes both teams for equally good.
+# A win is 1, a draw 0.5; goals a match; expected goals a match, in which the same lead is less,
+# since the value takes both teams for equally good.
 USUAL = {SCORE: (0.5, 0.55), GOALS: (0.0, 0.25), VALUE: (0.0, 0.1)}
 
 

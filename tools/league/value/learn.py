@@ -158,7 +158,8 @@ def learn(matches, columns, horizon=HORIZON):
     base = log_loss(np.full(len(hit), hit.mean()), hit)
     bins, gap = calibration(p, hit)
     model = fitted(inputs, hit, flatness)
-    learnt = {'commit': version(), 'matches': len(set(matches)), 'rows': len(hit), 'scored_share': float(hit.mean()),
+    learnt = {'commit': version(), 'matches': len(set(matches)), 'rows': len(hit),
+              'scored_share': float(hit.mean()),
               'flatness': flatness, 'log_loss': log_loss(p, hit), 'base_log_loss': base,
               'gain': 1.0 - log_loss(p, hit) / base, 'calibration_error': gap,
               'from': sorted(set(matches))}
@@ -173,7 +174,7 @@ def picture(bins):
     dots = ''.join(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4"/>' for x, y in place)
     return f'''<svg xmlns="http://www.w3.org/2000/svg" width="400" height="400" font-size="11">
 <rect width="400" height="400" fill="white"/>
-<path d="M40 20V360H380M40 360L380 20" fill="none" stroke="gray"/>
+<path d="M 40,20 V 360 H 380 M 40,360 L 380,20" fill="none" stroke="gray"/>
 <g fill="steelblue">{dots}</g>
 <text x="210" y="390" text-anchor="middle">said: 0 to {top:.3f}</text>
 <text x="14" y="190" text-anchor="middle" transform="rotate(-90 14 190)">was</text>
