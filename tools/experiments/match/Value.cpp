@@ -81,7 +81,8 @@ Json figuresOf(const std::vector<value::Said>& said) {
   return Json{{"scored_share", value::sharedBy(said)},
               {"log_loss", loss},
               {"base_log_loss", base},
-              {"gain_rate", 1.0 - ratio(loss, base)},
+              // Where nobody scored there is nothing to be better than.
+              {"gain_rate", value::sharedBy(said) > 0.0 ? 1.0 - ratio(loss, base) : 0.0},
               {"calibration_error", value::calibrationError(bins)},
               {"calibration", calibration}};
 }
