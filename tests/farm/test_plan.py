@@ -109,6 +109,12 @@ def test_bounds_are_those_asked_for_or_the_usual_ones(by, words, bounds):
     assert checked_bounds(by, words) == bounds
 
 
+def test_scenes_are_short_and_their_usual_bounds_narrow():
+    assert checked_bounds('value', '', True) == (0.0, 0.004)
+    assert checked_bounds('goals', '', True) == (0.0, 0.02)
+    assert checked_bounds('score', '', True) == checked_bounds('score', '')
+
+
 @pytest.mark.parametrize('by, words', [
     ('score', '0.5,1.0'), ('score', '0,0.5'), ('goals', '1,1'), ('goals', '2,1'), ('goals', 'a,b'),
     ('goals', '1'), ('goals', '1,2,3'), ('goals', 'nan,1'), ('value', '0.1,0'), ('goals', '0,inf')])

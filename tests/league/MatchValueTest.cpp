@@ -102,6 +102,13 @@ TEST(MatchValue, ALevelValueAddsUpToItsRate) {
   EXPECT_EQ(figures.of(TeamColour::blue).goals, 0);
 }
 
+TEST(MatchValue, WhoScoresEarlyInASceneDoesNotLoseByItsEnd) {
+  const MatchFigures figures = figuresOf(oneGoal(), byDistance(), kField);
+  EXPECT_NEAR(sceneValue(figures, 40.0, 10.0), figures.value(), 1e-9);
+  EXPECT_NEAR(sceneValue(figures, 40.0, 15.0), figures.value() + 5.0 / 40.0, 1e-9);
+  EXPECT_NEAR(sceneValue(figuresOf(PlayedTruth{}, byDistance(), kField), 40.0, 15.0), 0.0, 1e-9);
+}
+
 TEST(MatchValue, AKickAtTheGoalIsAShotAndGains) {
   const MatchFigures figures = figuresOf(oneGoal(), byDistance(), kField);
   ASSERT_EQ(figures.kicks.size(), 1U);

@@ -101,7 +101,7 @@ def checked_folders(folders):
 
 def asked_plan(options):
     checked_folders(options.team)
-    low, high = checked_bounds(options.by, options.bounds)
+    low, high = checked_bounds(options.by, options.bounds, bool(options.scenes))
     plan = Plan(*map(portable, options.team), options.seed, options.minutes, options.robots,
                 options.world, options.by, low, high, rules=options.rules)
     if plan.names[0] == plan.names[1]:

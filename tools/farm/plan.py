@@ -18,6 +18,7 @@ SCORE, GOALS, VALUE = 'score', 'goals', 'value'
 # A win is 1, a draw 0.5; goals a match; expected goals a match, in which the same lead is less,
 # since the value takes both teams for equally good.
 USUAL = {SCORE: (0.5, 0.55), GOALS: (0.0, 0.25), VALUE: (0.0, 0.1)}
+IN_SCENES = {**USUAL, GOALS: (0.0, 0.02), VALUE: (0.0, 0.004)}   # of 15 to 20 s
 
 
 class Plan(NamedTuple):
@@ -69,10 +70,10 @@ def plan_of(stored):
         raise Trouble('a test of another version of the farm') from None
 
 
-def checked_bounds(by, words):
+def checked_bounds(by, words, scenes=False):
     """LOW,HIGH as two numbers; `words` may be empty."""
     if not words:
-        return USUAL[by]
+        return (IN_SCENES if scenes else USUAL)[by]
     try:
         low, high = map(float, words.split(','))
     except ValueError:

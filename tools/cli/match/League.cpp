@@ -125,13 +125,18 @@ class Complaints {
   std::set<std::string> reported_;
 };
 
-// What a match was worth, beside its result (tools/league/value).
-Expected<nlohmann::ordered_json> worthOf(const std::string& worldLog) {
+// What a match was worth, beside its result (tools/league/value); a scene of so many seconds, 0 for
+// a match.
+Expected<nlohmann::ordered_json> worthOf(const std::string& worldLog, double sceneSeconds) {
   const auto models = value::readModels(value::modelFolder());
   if (!models) return Error{models.error()};
   const auto match = value::readTruth(worldLog);
   if (!match) return Error{match.error()};
-  return value::jsonOf(value::figuresOf(*match, *models, *body::fieldDescription("2006")));
+  const auto figures = value::figuresOf(*match, *models, *body::fieldDescription("2006"));
+  nlohmann::ordered_json worth = value::jsonOf(figures);
+  if (sceneSeconds > 0.0)
+    worth["value"] = value::sceneValue(figures, models->far.horizon, sceneSeconds);
+  return worth;
 }
 
 // The pure function of a league: processes of its own, nothing kept. `worth`: filled with what
@@ -159,7 +164,7 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const LeagueOpti
   session.keepFrames = worth != nullptr;
   std::string unread;
   talk.frames = [&](const std::string&, const std::string& worldLog) {
-    auto told = worthOf(worldLog);
+    auto told = worthOf(worldLog, options.scene.empty() ? 0.0 : session.seconds);
     if (told)
       *worth = std::move(*told);
     else

@@ -5,6 +5,7 @@
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/league/PairedStatistics.h"
+#include "tools/league/value/MatchValue.h"
 #include "tools/session/SceneSession.h"
 #include "tools/session/Session.h"
 #include "tools/sim/staging/Scenes.h"
@@ -18,11 +19,12 @@ constexpr const char* kTeams = KELPIE_SOURCE_DIR "/teams/";
 struct Pair {
   double goalsFor = 0.0;
   double goalsAgainst = 0.0;
+  double value = 0.0;  // expected goals for less against (tools/league/value)
 
   template <int = 0>
   static constexpr auto fields() {
-    return fieldList(field("goalsFor", &Pair::goalsFor),
-                     field("goalsAgainst", &Pair::goalsAgainst));
+    return fieldList(field("goalsFor", &Pair::goalsFor), field("goalsAgainst", &Pair::goalsAgainst),
+                     field("value", &Pair::value));
   }
 };
 
@@ -40,6 +42,16 @@ std::string sideOr(const std::string& folder, const char* usual) {
   return folder.empty() ? std::string(kTeams) + usual : folder;
 }
 
+// As red sees it.
+Expected<double> valueOf(const std::string& worldLog, double seconds) {
+  const auto models = value::readModels(value::modelFolder());
+  if (!models) return Error{models.error()};
+  const auto match = value::readTruth(worldLog);
+  if (!match) return Error{match.error()};
+  const auto figures = value::figuresOf(*match, *models, *body::fieldDescription("2006"));
+  return value::sceneValue(figures, models->far.horizon, seconds);
+}
+
 Status playOnce(const Request& request, const std::string& kind, std::uint64_t seed, bool aIsRed,
                 Pair& pair) {
   const std::string a = sideOr(request.sideA, "kelpie"), b = sideOr(request.sideB, "thesis");
@@ -51,8 +63,20 @@ Status playOnce(const Request& request, const std::string& kind, std::uint64_t s
   const cli::TeamPlan plan{0, 0, aIsRed ? a : b, aIsRed ? b : a};
   const Status used = cli::useScene(kind, plan, session);
   if (!used) return used;
-  const cli::SessionResult result = cli::runSession(session, {});
+  Status valued = Done{};
+  cli::SessionTalk talk;
+  talk.line = [](const std::string&) {};
+  talk.frames = [&](const std::string&, const std::string& worldLog) {
+    const auto value = valueOf(worldLog, session.seconds);
+    if (value)
+      pair.value += aIsRed ? *value : -*value;
+    else
+      valued = Error{value.error()};
+  };
+  session.keepFrames = true;
+  const cli::SessionResult result = cli::runSession(session, talk);
   if (!result.trouble.empty()) return Error{"scene " + kind + ": " + result.trouble};
+  if (!valued) return valued;
   const bool own = (session.team == "red") == aIsRed;
   pair.goalsFor += static_cast<double>((own ? result.goals : result.ownGoals).size());
   pair.goalsAgainst += static_cast<double>((own ? result.ownGoals : result.goals).size());
@@ -75,18 +99,24 @@ Expected<Played> playSeed(const Request& request, const Trial& trial) {
 // Of a scene, which is half of a pair.
 Json figuresOf(const std::vector<Pair>& pairs) {
   Values scored, conceded;
-  league::Differences differences;
+  league::Differences differences, values;
   for (const Pair& pair : pairs) {
     scored.push_back(0.5 * pair.goalsFor);
     conceded.push_back(0.5 * pair.goalsAgainst);
     differences.push_back(0.5 * (pair.goalsFor - pair.goalsAgainst));
+    values.push_back(0.5 * pair.value);
   }
   const league::Interval interval = league::bootstrap(differences, {});
+  const league::Interval worth = league::bootstrap(values, {});
   return {{"goals_for", mean(scored)},
           {"goals_against", mean(conceded)},
           {"goals_difference", mean(differences)},
           {"goals_difference_low", interval.low},
-          {"goals_difference_high", interval.high}};
+          {"goals_difference_high", interval.high},
+          {"value", mean(values)},
+          {"value_low", worth.low},
+          {"value_high", worth.high},
+          {"value_sd", league::spreadOf(values)}};
 }
 
 Expected<Json> sceneSides(const Request& request) {
@@ -108,9 +138,9 @@ Expected<Json> sceneSides(const Request& request) {
   return figures;
 }
 
-const Registration kSceneSides(
-    "scenes", "two teams (--a, --b) in the same drawn situations, kind by kind",
-    {Option::trials, Option::seed, Option::sides}, 20, sceneSides);
+const Registration kSceneSides("scenes",
+                               "two teams (--a, --b) in the same drawn situations, kind by kind",
+                               {Option::trials, Option::seed, Option::sides}, 20, sceneSides);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -167,4 +167,9 @@ MatchFigures figuresOf(const PlayedTruth& match, const Models& models,
   return judge.figures();
 }
 
+double sceneValue(const MatchFigures& figures, double horizon, double seconds) {
+  const int goals = figures.of(TeamColour::red).goals - figures.of(TeamColour::blue).goals;
+  return figures.value() + goals * std::max(0.0, seconds - figures.played) / horizon;
+}
+
 }  // namespace kelpie::value
