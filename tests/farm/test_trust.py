@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 # How often the sequential test errs, on 2-minute matches of one against one that were played
 # (stored.jsonl, a league between two names of the same behaviours).
+import random
 from pathlib import Path
 
 import pytest
-from farm.trust import DrawnPairs, mean_without, share_for, stored_matches, trust
+from farm.plan import Plan
+from farm.store import Store
+from farm.trust import DrawnPairs, mean_without, share_for, stored_matches, stored_values, trust
 from farm.work import Trouble
 
 STORED = stored_matches(Path(__file__).parent / 'stored.jsonl')
+PLAN = Plan('a', 'b', 0, 2.0, '4v4', 'percepts', 'value', 0.0, 0.004)
 
 
 def no_more_than(share, runs):
@@ -62,3 +66,28 @@ def test_too_few_results_or_none_are_refused_in_one_line(tmp_path, text, complai
     path.write_text(text)
     with pytest.raises(Trouble, match=complaint):
         stored_matches(path)
+
+
+def stored_pairs(folder, values):
+    """A store in which each value is a pair's, from a test of one seed each."""
+    store = Store(folder / 'farm.sqlite', writes=True)
+    store.begin('t', PLAN._asdict())
+    for seed, value in enumerate(values):
+        for colour, sign in (('red', 1.0), ('blue', -1.0)):
+            store.add('t', seed, colour, {'trouble': '', 'red_goals': 0, 'blue_goals': 0,
+                                          'value': sign * value})
+    store.close()
+    return folder / 'farm.sqlite'
+
+
+def test_by_value_an_equal_team_is_accepted_about_as_seldom_as_is_meant(tmp_path):
+    draw = random.Random(5)
+    pairs = stored_values(stored_pairs(tmp_path, [draw.gauss(0.02, 0.03) for _ in range(200)]))
+    told = trust(pairs, 'value', 0.0, 0.01, 200, 3)
+    assert told['equal']['accepted'] <= 0.09 and told['weaker']['rejected'] == 1.0
+    assert told['better']['accepted'] >= 0.91
+
+
+def test_values_are_of_pairs_and_too_few_of_them_are_refused(tmp_path):
+    with pytest.raises(Trouble, match='7 pairs with a value, at least 8'):
+        stored_values(stored_pairs(tmp_path, [0.1] * 7))

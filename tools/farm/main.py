@@ -23,7 +23,7 @@ from farm.samplers import CLIMB, CMAES, TPE, sampler_of  # noqa: E402
 from farm.scaling import scaling  # noqa: E402
 from farm.search import Asked, Search  # noqa: E402
 from farm.store import RED, Store, is_locked  # noqa: E402
-from farm.trust import stored_matches, trust  # noqa: E402
+from farm.trust import stored_matches, stored_values, trust  # noqa: E402
 from farm.variant import write_variant  # noqa: E402
 from farm.vector import described, write_team  # noqa: E402
 from farm.work import IMAGES, PERCEPTS, ROOT, WORLDS, Trouble, about, portable  # noqa: E402
@@ -236,7 +236,7 @@ def worker(options):
 
 def show_trust(options):
     low, high = checked_bounds(options.by, options.bounds)
-    matches = stored_matches(options.results)
+    matches = (stored_values if options.by == VALUE else stored_matches)(options.results)
     print(json.dumps(trust(matches, options.by, low, high, options.runs, options.seed), indent=1))
     return DONE
 
@@ -333,7 +333,7 @@ def add_figures(commands):
     command = commands.add_parser('trust', help='how often the test errs, by stored matches')
     command.set_defaults(run=show_trust)
     command.add_argument('results', help='a farm.sqlite, or the league.jsonl of two teams')
-    command.add_argument('--by', choices=(SCORE, GOALS), default=SCORE)
+    command.add_argument('--by', choices=(SCORE, GOALS, VALUE), default=SCORE)
     command.add_argument('--bounds', default='', metavar='LOW,HIGH')
     command.add_argument('--runs', type=whole(1, 100000), default=200)
     command.add_argument('--seed', type=int, default=1)

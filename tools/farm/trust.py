@@ -3,16 +3,17 @@
 a pair, each seen by either side at random, so that both sides are equal; and one side's goals are
 taken away, each with the same probability, until the other is better by as much as is wanted. That
 mean is known, since the share of every result can be counted. The matches of a pair are drawn by
-themselves: two names of the same behaviours play the same match twice by one seed. It fails where
+themselves: two names of the same behaviours play the same match twice by one seed. Of values, which
+are no counts, a stored pair is drawn with either sign, and what is wanted is added. It fails where
 too few matches are stored to tell what results there are."""
 
 import json
 import math
 import random
 
-from farm.plan import GOALS, SCORE, Plan, is_void
+from farm.plan import GOALS, SCORE, VALUE, Plan, is_void, of_pair
 from farm.sprt import ACCEPTED, OPEN, REJECTED, SequentialTest
-from farm.store import Store
+from farm.store import BLUE, RED, Store
 from farm.work import IMAGES, Trouble
 
 FEWEST = 8          # stored matches
@@ -44,6 +45,35 @@ def stored_matches(path):
     if len(matches) < FEWEST:
         raise Trouble(f'{path}: {len(matches)} matches, at least {FEWEST} are needed')
     return matches
+
+
+def stored_values(path):
+    """Of each pair of a farm's store, the value that its first side has; its own mean is taken
+    away with its sign."""
+    store = Store(path)
+    pairs = []
+    for test, _, _ in store.tests():
+        results = store.results(test)
+        for seed in {seed for seed, _ in results}:
+            both = [results.get((seed, colour)) for colour in (RED, BLUE)]
+            if None not in both and all(VALUE in one for one in both):
+                pairs.append(of_pair(*both, VALUE))
+    pairs = [pair for pair in pairs if math.isfinite(pair)]
+    if len(pairs) < FEWEST:
+        raise Trouble(f'{path}: {len(pairs)} pairs with a value, at least {FEWEST} are needed')
+    return pairs
+
+
+class ShiftedPairs:
+    """Of two sides of which the first has that mean value."""
+
+    def __init__(self, pairs, mean, seed):
+        middle = sum(pairs) / len(pairs)
+        self.pairs, self.mean = [pair - middle for pair in pairs], mean
+        self.draw = random.Random(seed)
+
+    def pair(self):
+        return self.draw.choice((1.0, -1.0)) * self.draw.choice(self.pairs) + self.mean
 
 
 def figure(own, others, by):
@@ -102,7 +132,8 @@ class DrawnPairs:
 
 def shown(matches, by, bounds, mean, runs, seed):
     """What becomes of so many tests of a side that has that mean."""
-    drawn = DrawnPairs(matches, by, mean, seed)
+    drawn = (ShiftedPairs(matches, mean, seed) if by == VALUE
+             else DrawnPairs(matches, by, mean, seed))
     ends, lengths = [], []
     for _ in range(runs):
         test = SequentialTest(bounds)
@@ -115,7 +146,7 @@ def shown(matches, by, bounds, mean, runs, seed):
 
 
 def trust(matches, by, low, high, runs, seed):
-    """Of a side that is equal, of one that is weaker, and of one that is better by that much."""
+    """`matches`: of stored_matches(), by value of stored_values(). Of a side that is equal, of one that is weaker, and of one that is better by that much."""
     plan = Plan('', '', 0, 0.0, '', IMAGES, by, low, high)
     equal = 0.5 if by == SCORE else 0.0
     means = {'equal': equal, 'weaker': equal - (high - low), 'better': high}
