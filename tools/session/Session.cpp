@@ -325,7 +325,7 @@ void handOn(const SessionOptions& options, const SessionTalk& talk,
   keepLog(options, talk, result);
   if (!result.trouble.empty()) return;
   readResult(runDirectory.path("result.json"), options.team == "blue", result);
-  if (talk.frames && options.keepFrames)
+  if (talk.frames && (options.keepFrames || options.keepTruth))
     talk.frames(agentLog(options, runDirectory, 0), runDirectory.path("world.mcap"));
   if (!talk.all || !options.keepAll) return;
   std::vector<std::string> logs = {agentLog(options, runDirectory, 0)};

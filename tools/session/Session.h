@@ -40,8 +40,8 @@ struct MatchTime {
 // it falls, and with any other line for the user (an error in a script), which goes to standard
 // error without it. `time` is called twice a simulated second of a match by the rules. `over` is
 // asked again and again: true ends the match. `frames` is called once after a match with
-// keepFrames: the agent's log without images and the world's, both gone afterwards. Each may be
-// empty.
+// keepFrames or keepTruth: the agent's log without images and the world's, both gone afterwards.
+// Each may be empty.
 struct SessionTalk {
   std::function<void(const std::string&)> status;
   std::function<void(const std::string&)> line;

@@ -89,7 +89,7 @@ void addMatch(const SessionOptions& options, const RunDirectory& runDirectory, W
   if (options.holdingDistance > 0.0)
     argv.insert(argv.end(), {"--holding-distance", std::to_string(options.holdingDistance)});
   if (options.live) argv.push_back("--plain-log");
-  if (options.keepsLog())
+  if (options.keepsLog() || options.keepTruth)
     argv.insert(argv.end(), {"--truth", partPath(options, runDirectory, "world.mcap")});
   for (const auto& word : wordsOf(options.randomised)) argv.push_back(word);
   addStaging(options.staging, argv);

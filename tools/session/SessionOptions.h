@@ -68,6 +68,7 @@ struct SessionOptions {
   sim::Staging staging;            // places and throws beside the scenario's
   bool keepFrames = false;  // without `log`: SessionTalk::frames receives frames without images
   bool keepAll = false;     // and of those of all other robots
+  bool keepTruth = false;   // the same with the world's log alone; the agent's is no file then
 
   bool keepsLog() const { return !log.empty() || keepFrames; }
 };

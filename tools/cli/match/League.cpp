@@ -161,7 +161,7 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const LeagueOpti
   if (!used) return voided(used.error());
   SessionTalk talk;
   talk.line = [&](const std::string& line) { complaints.hear(match, line); };
-  session.keepFrames = worth != nullptr;
+  session.keepTruth = worth != nullptr;
   std::string unread;
   talk.frames = [&](const std::string&, const std::string& worldLog) {
     auto told = worthOf(worldLog, options.scene.empty() ? 0.0 : session.seconds);

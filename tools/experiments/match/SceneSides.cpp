@@ -73,7 +73,7 @@ Status playOnce(const Request& request, const std::string& kind, std::uint64_t s
     else
       valued = Error{value.error()};
   };
-  session.keepFrames = true;
+  session.keepTruth = true;
   const cli::SessionResult result = cli::runSession(session, talk);
   if (!result.trouble.empty()) return Error{"scene " + kind + ": " + result.trouble};
   if (!valued) return valued;
