@@ -102,6 +102,10 @@ def test_the_kick_is_no_stronger_the_less_is_known_of_the_goal():
     assert far == sorted(far, reverse=True) and far[0] > far[-1]
 
 
+def test_the_last_half_metre_is_told_in_cm():
+    assert choice.by_rules(hold(495.0))[1:] == ('{} cm before the goal line', 45.0)
+
+
 def test_every_choice_says_why_within_a_trace():
     for y in range(0, 540, 7):
         for lost in (0, 10, 100):
