@@ -42,7 +42,8 @@ class Scripts {
 class HostRun {
  public:
   explicit HostRun(const Scripts& scripts) : state(scripts.path()) { params.reloadFrames = 1; }
-  HostRun(const Scripts& scripts, const HostRun& beside) : state(scripts.path(), {}, &beside.state) {}
+  HostRun(const Scripts& scripts, const HostRun& beside)
+      : state(scripts.path(), {}, &beside.state) {}
   HostRun(const Scripts& scripts, const Constants& constants, const HostRun& beside)
       : state(scripts.path(), constants, &beside.state) {}
 

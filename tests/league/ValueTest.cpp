@@ -157,8 +157,8 @@ TEST(ValueModel, WhatIsNoModelGivesOneLine) {
 }
 
 TEST(Judged, WhoKnowsTheShareAloneHasTheBaseLoss) {
-  std::vector<Said> said;
-  for (int i = 0; i < 100; ++i) said.push_back({0.1, i % 10 == 0});
+  std::vector<Said> said(100);
+  for (std::size_t i = 0; i < said.size(); ++i) said[i] = {0.1, i % 10 == 0};
   EXPECT_NEAR(logLoss(said), baseLogLoss(said), 1e-12);
   EXPECT_NEAR(calibrationError(binsOf(said, 1)), 0.0, 1e-12);
 }

@@ -146,7 +146,8 @@ def shown(matches, by, bounds, mean, runs, seed):
 
 
 def trust(matches, by, low, high, runs, seed):
-    """`matches`: of stored_matches(), by value of stored_values(). Of a side that is equal, of one that is weaker, and of one that is better by that much."""
+    """Of a side that is equal, of one that is weaker, and of one that is better by that much.
+    `matches`: of stored_matches(), by value of stored_values()."""
     plan = Plan('', '', 0, 0.0, '', IMAGES, by, low, high)
     equal = 0.5 if by == SCORE else 0.0
     means = {'equal': equal, 'weaker': equal - (high - low), 'better': high}

@@ -45,8 +45,8 @@ struct PlayOptions {
   std::string images = "some";
   std::string logs = "watched";
   std::string opponent = "none";
-  std::string robots;      // "4v4"; empty: the one robot, and its opponent
-  std::string scene;       // "corner"; empty: none
+  std::string robots;  // "4v4"; empty: the one robot, and its opponent
+  std::string scene;   // "corner"; empty: none
   std::string rules = "2006";
   std::string red, blue;   // folders of the teams
   std::string controller;  // "udp" or "udp:PORT"; empty: the world's referee rules

@@ -31,8 +31,8 @@ struct RefereeParams {
     using P = RefereeParams;
     return fieldList(field("seconds", &P::seconds, "s", 0, 1e5),
                      field("goals", &P::goals, "", 0, 100), field("rules", &P::rules),
-                     field("fromPlay", &P::fromPlay),
-                     field("controlled", &P::controlled), field("kickOff", &P::kickOff, "", 0, 1));
+                     field("fromPlay", &P::fromPlay), field("controlled", &P::controlled),
+                     field("kickOff", &P::kickOff, "", 0, 1));
   }
 };
 

@@ -243,7 +243,7 @@ const std::vector<std::string>& sceneKinds() {
 }
 
 Expected<StagedScene> drawScene(const std::string& kind, const body::FieldDescription& field,
-                          std::uint64_t seed) {
+                                std::uint64_t seed) {
   const auto found = std::find_if(std::begin(kKinds), std::end(kKinds),
                                   [&](const Kind& one) { return one.name == kind; });
   if (found == std::end(kKinds))

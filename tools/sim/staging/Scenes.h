@@ -23,6 +23,6 @@ const std::vector<std::string>& sceneKinds();
 
 // Where all may stand, by the staging's own rules. An error names the kinds that there are.
 Expected<StagedScene> drawScene(const std::string& kind, const body::FieldDescription& field,
-                          std::uint64_t seed);
+                                std::uint64_t seed);
 
 }  // namespace kelpie::sim
