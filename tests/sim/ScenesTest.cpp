@@ -117,6 +117,43 @@ TEST(Scenes, AnOpponentStandsBetweenRedAndTheBallBehindIt) {
   });
 }
 
+// By the seed in turn: where 2005's ball was, as a share of the field.
+TEST(Scenes, InARivalAttackBlueRunsAtRedsGoalFromOneOfSixPlaces) {
+  forScenes("rival-attack", [](const StagedScene& scene) {
+    EXPECT_EQ(scene.robots, "4v4");
+    EXPECT_GT(ballOf(scene).y, 0.39 * field().length);
+    EXPECT_LT(ballOf(scene).y, 0.60 * field().length);
+    EXPECT_LE(scene.staging.ball->velocity.y, 19.0);
+    double nearest = 1e9;
+    for (const int number : {2, 3, 4})
+      nearest = std::min(nearest, apart(scene, TeamColour::blue, number));
+    EXPECT_LT(nearest, 130.0);
+  });
+}
+
+TEST(Scenes, ARivalAttackComesFromEitherSideWithItsBallRollingAsItDid) {
+  int left = 0;
+  for (std::uint64_t turn = 0; turn < 50; ++turn) {
+    const Ball ball = *drawn("rival-attack", 6 * turn).staging.ball;
+    const double outward = ball.position.x - 0.5 * field().width;
+    left += outward < 0.0;
+    EXPECT_NEAR(std::fabs(outward), (277.0 - 181.5) * field().width / 363.0, 0.01);
+    EXPECT_EQ(ball.velocity.x, outward < 0.0 ? 24.0 : -24.0);
+    EXPECT_EQ(ball.velocity.y, 18.0);
+  }
+  EXPECT_GT(left, 12);
+  EXPECT_LT(left, 38);
+}
+
+TEST(Scenes, WhoServedAPenaltyInARivalAttackStandsByACornerOfItsOwnHalf) {
+  for (std::uint64_t turn = 0; turn < 50; ++turn) {
+    const Point2<Field> four =
+        placeOf(drawn("rival-attack", 6 * turn), TeamColour::blue, 4).position;
+    EXPECT_LT(std::min(four.x, field().width - four.x), 71.0);
+    EXPECT_GT(four.y, field().length - 81.0);
+  }
+}
+
 TEST(Scenes, OneThatDoesNotExistNamesThoseThatDo) {
   const auto scene = drawScene("party", field(), 1);
   ASSERT_FALSE(scene);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "robot/core/Random.h"
+#include "tools/sim/staging/RivalAttacks.h"
 
 namespace kelpie::sim {
 namespace {
@@ -17,6 +18,10 @@ constexpr double kKeeper = 22.0;               // cm from the goal line to a kee
 constexpr double kAside = 15.0;                // cm that a keeper stands aside, at most
 constexpr double kFromLines = 20.0;            // cm within which nobody is placed
 constexpr int kTries = 400;
+constexpr double kJitter = 8.0;       // cm and deg: half a robot's width, so that ways differ
+constexpr double kWidens = 100.0;     // tries after which it is twice that
+constexpr double kKeepersBox = 28.0;  // cm from the goal line within which a keeper is left
+constexpr double kOffBall = 24.0;     // cm from it to a neck base: legal whatever it faces
 constexpr TeamColour kRed = TeamColour::red, kBlue = TeamColour::blue;
 
 // cm, from where to where something is drawn.
@@ -27,15 +32,20 @@ struct Range {
 // One scene as it is drawn, in red's field: red attacks the goal at y = length.
 class Drawing {
  public:
-  Drawing(const body::FieldDescription& field, Random& random) : field_(field), random_(random) {}
+  Drawing(const body::FieldDescription& field, std::uint64_t seed, Random& random)
+      : inTurn(seed), field_(field), random_(random) {}
 
   StagedScene scene;
+  const std::uint64_t inTurn;  // the seed itself, for what is taken in turn and not drawn
+  double tries = 0.0;          // that had no room
 
   double in(Range range) { return random_.uniform(range.low, range.high); }
   double width() const { return field_.width; }
   double length() const { return field_.length; }
   double middle() const { return 0.5 * field_.width; }
   Point2<Field> ball() const { return scene.staging.ball->position; }
+  // Wider from try to try: the narrow field of 2004 leaves no room to scrums of 2005 else.
+  double jitter() { return random_.gaussian(0.0, kJitter * (1.0 + tries / kWidens)); }
   double side() { return random_.chance(0.5) ? 1.0 : -1.0; }
 
   void ballAt(double x, double y) { scene.staging.ball = Ball{{x, y}, {}}; }
@@ -197,6 +207,70 @@ void behind(Drawing& draw) {
   draw.facing(kRed, 2, {from - 15.0, from + 15.0}, {85.0, 150.0});
 }
 
+// The recorded attacks, on whatever field: places are shares of it, velocities stay.
+class RivalDrawing {
+ public:
+  explicit RivalDrawing(Drawing& draw)
+      : draw_(draw),
+        side_(draw.side()),
+        across_(draw.width() / kRivalWidth),
+        along_(draw.length() / kRivalLength) {}
+
+  void ball(const RivalAttack& attack) {
+    const Point2<Field> place = at(attack.ball[0], attack.ball[1]);
+    draw_.scene.staging.ball = Ball{place, {side_ * attack.velocity[0], attack.velocity[1]}};
+  }
+
+  void robot(TeamColour team, int number, const RivalPlace& place) {
+    const double heading = side_ > 0.0 ? place.heading : 180.0 - place.heading;
+    Point2<Field> where = place.off ? corner(team, number) : at(place.x, place.y);
+    if (!place.off) where = {where.x + draw_.jitter(), where.y + draw_.jitter()};
+    if (number == 1) where.y = inBox(team, where.y);
+    if (!place.off) where = offBall(where);
+    if (place.off)
+      draw_.addFacing(team, number, where, draw_.ball());
+    else
+      draw_.add(team, number, where, Angle::deg(heading + draw_.jitter()));
+  }
+
+ private:
+  Point2<Field> at(double x, double y) const {
+    return {draw_.middle() + side_ * across_ * (x - 0.5 * kRivalWidth), along_ * y};
+  }
+  // Nobody begins on the ball, though three of the runners had it between their paws.
+  Point2<Field> offBall(Point2<Field> p) const {
+    const Point2<Field> ball = draw_.ball();
+    const double away = std::max(distance(p, ball), 0.1);
+    if (away >= kOffBall) return p;
+    const double share = kOffBall / away;
+    return {ball.x + share * (p.x - ball.x), ball.y + share * (p.y - ball.y)};
+  }
+  // Who served a penalty was out of play, and so it is here: by a corner of its own half.
+  Point2<Field> corner(TeamColour team, int number) {
+    const double x = draw_.middle() + draw_.side() * (draw_.middle() - draw_.in({35.0, 70.0}));
+    const double up = number == 1 ? kKeeper : draw_.in({30.0, 80.0});
+    return {x, team == kRed ? up : draw_.length() - up};
+  }
+  double inBox(TeamColour team, double y) const {
+    return team == kRed ? std::clamp(y, 0.0, kKeepersBox)
+                        : std::clamp(y, draw_.length() - kKeepersBox, draw_.length());
+  }
+
+  Drawing& draw_;
+  double side_, across_, along_;
+};
+
+// Red defends. The seed takes the six in turn: were they drawn, those with room would prevail.
+void rivalAttack(Drawing& draw) {
+  const RivalAttack& attack = kRivalAttacks[draw.inTurn % kRivalAttacks.size()];
+  RivalDrawing rival(draw);
+  rival.ball(attack);
+  for (std::size_t i = 0; i < attack.attack.size(); ++i) {
+    rival.robot(kBlue, static_cast<int>(i) + 1, attack.attack[i]);
+    rival.robot(kRed, static_cast<int>(i) + 1, attack.defence[i]);
+  }
+}
+
 struct Kind {
   const char* name;
   const char* robots;
@@ -218,6 +292,7 @@ constexpr Kind kKinds[] = {
     {"throw-in", "4v4", kLong, throwInBall},
     {"scrum", "3v3", kShort, scrum},
     {"behind", "2v2", kShort, behind},
+    {"rival-attack", "4v4", kLong, rivalAttack},
 };
 
 std::vector<host::AgentHello> robotsOf(const StagedScene& scene) {
@@ -251,7 +326,8 @@ Expected<StagedScene> drawScene(const std::string& kind, const body::FieldDescri
   Random random(seedOf(seed, static_cast<std::size_t>(found - std::begin(kKinds))));
   std::string why;
   for (int i = 0; i < kTries; ++i) {
-    Drawing drawing(field, random);
+    Drawing drawing(field, seed, random);
+    drawing.tries = i;
     drawing.scene.robots = found->robots;
     drawing.scene.seconds = found->seconds;
     found->draw(drawing);
