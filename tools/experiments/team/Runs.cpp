@@ -186,8 +186,7 @@ Expected<Json> runs(const Request& request) {
 }
 
 const Registration kRuns("runs",
-                         "how two teams (--a, and --b, by default teams/runner) run "
-                         "with the ball, and whether their forwards stand",
+                         "how two teams run with the ball (--b: teams/runner), and who stands",
                          {Option::trials, Option::seed, Option::field, Option::fast,
                           Option::minutes, Option::sides},
                          2, runs);
