@@ -37,8 +37,8 @@ class Cluster:
     def __init__(self, address, children=None, player=play):
         """`children`: those of a cluster of one's own, which are ended with it. `player` plays a
         match on a worker."""
-        need_dask()
         check_address(address)
+        need_dask()
         logging.disable(logging.CRITICAL)     # what goes wrong is mended, or told in one line
         self.address = address
         self.children = children
