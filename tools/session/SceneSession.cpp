@@ -4,22 +4,13 @@
 #include <fmt/core.h>
 
 #include "robot/core/Random.h"
+#include "tools/sim/rules/MatchScene.h"
 #include "tools/sim/staging/Scenes.h"
 
 namespace kelpie::cli {
 namespace {
 
 constexpr double kPlaceSd = 10.0, kHeadingSd = 5.0;  // cm, deg: of the places that robots are told
-
-// In its own team's field, whose y runs to the goal that it attacks.
-Pose2 ownPose(const body::FieldDescription& field, const sim::RobotPlace& place) {
-  if (place.robot.team == TeamColour::red) return place.pose;
-  return {{field.width - place.pose.position.x, field.length - place.pose.position.y},
-          place.pose.heading + Angle::deg(180.0)};
-}
-
-// Number 1 keeps the goal, also where it is its team's only robot.
-constexpr const char* kKeeps = "behaviour.task.player=1";  // PlayerKind::goalie
 
 std::vector<std::string> beliefOf(const Pose2& pose, Random& random) {
   constexpr const char* kPose = "gps.initialPose.pose";
@@ -61,8 +52,9 @@ Status useScene(const std::string& kind, TeamPlan plan, SessionOptions& options)
   options.goals = 1;
   Random random(Random(options.seed ^ 0x7e11ULL).next());
   for (const sim::RobotPlace& place : scene->staging.places) {
-    std::vector<std::string> told = beliefOf(ownPose(*field, place), random);
-    if (place.robot.player == 1) told.emplace_back(kKeeps);
+    std::vector<std::string> told =
+        beliefOf(sim::ownView(*field, place.robot.team, place.pose), random);
+    if (place.robot.player == 1) told.emplace_back(kKeeps);  // also its team's only robot
     tell(place, told, options);
   }
   return Done{};

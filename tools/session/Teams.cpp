@@ -9,8 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kKeeps = "behaviour.task.player=1";  // PlayerKind::goalie
-
 Status readFolder(const std::string& folder, OtherRobot& robot) {
   if (folder.empty()) return Done{};
   const bool zipped = fs::is_regular_file(folder);

@@ -12,6 +12,9 @@
 
 namespace kelpie::cli {
 
+// For `set`: who keeps the goal.
+constexpr const char* kKeeps = "behaviour.task.player=1";  // PlayerKind::goalie
+
 struct TeamPlan {
   int red = 4;
   int blue = 4;

@@ -130,12 +130,11 @@ class Complaints {
 Expected<nlohmann::ordered_json> worthOf(const std::string& worldLog, double sceneSeconds) {
   const auto models = value::readModels(value::modelFolder());
   if (!models) return Error{models.error()};
-  const auto match = value::readTruth(worldLog);
-  if (!match) return Error{match.error()};
-  const auto figures = value::figuresOf(*match, *models, *body::fieldDescription("2006"));
-  nlohmann::ordered_json worth = value::jsonOf(figures);
+  const auto figures = value::figuresOfLog(worldLog, *models, *body::fieldDescription("2006"));
+  if (!figures) return Error{figures.error()};
+  nlohmann::ordered_json worth = value::jsonOf(*figures);
   if (sceneSeconds > 0.0)
-    worth["value"] = value::sceneValue(figures, models->far.horizon, sceneSeconds);
+    worth["value"] = value::sceneValue(*figures, models->far.horizon, sceneSeconds);
   return worth;
 }
 

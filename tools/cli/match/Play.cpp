@@ -299,11 +299,10 @@ ImagesKept imagesKept(const std::string& word) {
 // Shots and expected goals; a match in which nothing was played has none.
 void tellWorth(const PlayOptions& options) {
   const auto models = value::readModels(value::modelFolder());
-  const auto match = value::readTruth(options.session.log);
-  if (!models || !match) return;
+  if (!models) return;
   const auto field = *body::fieldDescription(options.session.field);
-  const value::MatchFigures figures = value::figuresOf(*match, *models, field);
-  if (figures.played > 0.0) fmt::print("{}\n", value::lineOf(figures));
+  const auto figures = value::figuresOfLog(options.session.log, *models, field);
+  if (figures && figures->played > 0.0) fmt::print("{}\n", value::lineOf(*figures));
 }
 
 // What was played is reported all the same; a match without a goal is done, too.

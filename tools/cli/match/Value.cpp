@@ -69,13 +69,14 @@ int report(const ValueOptions& options) {
   const auto models = value::readModels(options.models);
   if (!models) return fail(models.error(), kExitBadInput);
   value::Report report;
+  const body::FieldDescription field = *body::fieldDescription(options.field);
   for (const std::string& log : options.logs) {
-    const auto match = value::readTruth(log);
-    if (!match) return fail(match.error(), kExitBadInput);
+    const auto figures = value::figuresOfLog(log, *models, field);
+    if (!figures) return fail(figures.error(), kExitBadInput);
     value::Leaves leaves;
     const Status read = readLeaves(log, leaves);
     if (!read) return fail(read.error(), kExitBadInput);
-    report.add(value::figuresOf(*match, *models, *body::fieldDescription(options.field)), leaves);
+    report.add(*figures, leaves);
   }
   fmt::print("{}", report.text());
   return kExitDone;

@@ -116,4 +116,12 @@ std::vector<Shot> shotsOf(const Played& played, TeamColour team) {
   return shots;
 }
 
+const sim::RobotTruth& nearestToBall(const sim::TruthFrame& truth) {
+  return *std::min_element(truth.robots.begin(), truth.robots.end(),
+                           [&](const sim::RobotTruth& a, const sim::RobotTruth& b) {
+                             return distance(a.pose.position, truth.ball) <
+                                    distance(b.pose.position, truth.ball);
+                           });
+}
+
 }  // namespace kelpie::experiments

@@ -57,4 +57,7 @@ struct Shot {
 // does not give.
 std::vector<Shot> shotsOf(const Played& played, TeamColour team);
 
+// Of the robots, of which there is one at least.
+const sim::RobotTruth& nearestToBall(const sim::TruthFrame& truth);
+
 }  // namespace kelpie::experiments

@@ -42,36 +42,34 @@ std::string sideOr(const std::string& folder, const char* usual) {
   return folder.empty() ? std::string(kTeams) + usual : folder;
 }
 
-// As red sees it.
-Expected<double> valueOf(const std::string& worldLog, double seconds) {
-  const auto models = value::readModels(value::modelFolder());
-  if (!models) return Error{models.error()};
-  const auto match = value::readTruth(worldLog);
-  if (!match) return Error{match.error()};
-  const auto figures = value::figuresOf(*match, *models, *body::fieldDescription("2006"));
-  return value::sceneValue(figures, models->far.horizon, seconds);
-}
+// What every scene is played and judged by.
+struct Sides {
+  std::string a, b;
+  value::Models models;
+};
 
-Status playOnce(const Request& request, const std::string& kind, std::uint64_t seed, bool aIsRed,
+Status playOnce(const Sides& sides, const std::string& kind, std::uint64_t seed, bool aIsRed,
                 Pair& pair) {
-  const std::string a = sideOr(request.sideA, "kelpie"), b = sideOr(request.sideB, "thesis");
   cli::SessionOptions session;
   session.seed = seed;
   session.physical = false;
   session.percepts = true;
   session.set = {cli::kNoReload};
-  const cli::TeamPlan plan{0, 0, aIsRed ? a : b, aIsRed ? b : a};
+  const cli::TeamPlan plan{0, 0, aIsRed ? sides.a : sides.b, aIsRed ? sides.b : sides.a};
   const Status used = cli::useScene(kind, plan, session);
   if (!used) return used;
   Status valued = Done{};
   cli::SessionTalk talk;
   talk.line = [](const std::string&) {};
   talk.frames = [&](const std::string&, const std::string& worldLog) {
-    const auto value = valueOf(worldLog, session.seconds);
-    if (value)
-      pair.value += aIsRed ? *value : -*value;
-    else
-      valued = Error{value.error()};
+    const auto field = *body::fieldDescription(session.field);
+    const auto figures = value::figuresOfLog(worldLog, sides.models, field);
+    if (!figures) {
+      valued = Error{figures.error()};
+      return;
+    }
+    const double reds = value::sceneValue(*figures, sides.models.far.horizon, session.seconds);
+    pair.value += aIsRed ? reds : -reds;
   };
   session.keepTruth = true;
   const cli::SessionResult result = cli::runSession(session, talk);
@@ -83,12 +81,12 @@ Status playOnce(const Request& request, const std::string& kind, std::uint64_t s
   return Done{};
 }
 
-Expected<Played> playSeed(const Request& request, const Trial& trial) {
+Expected<Played> playSeed(const Sides& sides, const Trial& trial) {
   Played played;
   for (const std::string& kind : sim::sceneKinds()) {
     Pair pair;
     for (const bool aIsRed : {true, false}) {
-      const Status done = playOnce(request, kind, trial.seed, aIsRed, pair);
+      const Status done = playOnce(sides, kind, trial.seed, aIsRed, pair);
       if (!done) return Error{done.error()};
     }
     played.pairs.push_back(pair);
@@ -120,8 +118,11 @@ Json figuresOf(const std::vector<Pair>& pairs) {
 }
 
 Expected<Json> sceneSides(const Request& request) {
+  const auto models = value::readModels(value::modelFolder());
+  if (!models) return Error{models.error()};
+  const Sides sides{sideOr(request.sideA, "kelpie"), sideOr(request.sideB, "thesis"), *models};
   const auto seeds =
-      trialsInChildProcesses(request, [&](const Trial& trial) { return playSeed(request, trial); });
+      trialsInChildProcesses(request, [&](const Trial& trial) { return playSeed(sides, trial); });
   if (!seeds) return Error{seeds.error()};
   const auto& kinds = sim::sceneKinds();
   std::vector<Pair> all;

@@ -8,8 +8,10 @@
 #include <string>
 
 #include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/match/Played.h"
 #include "tools/experiments/team/TeamMatch.h"
 #include "tools/sim/bodies/HoldWatch.h"
+#include "tools/sim/rules/MatchScene.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -40,21 +42,13 @@ struct Kick {
 };
 
 // Whoever is nearest to the ball has kicked it.
-const sim::RobotTruth& nearest(const sim::TruthFrame& truth) {
-  return *std::min_element(truth.robots.begin(), truth.robots.end(),
-                           [&](const sim::RobotTruth& a, const sim::RobotTruth& b) {
-                             return distance(a.pose.position, truth.ball) <
-                                    distance(b.pose.position, truth.ball);
-                           });
-}
-
 std::vector<Kick> judgeKicks(const TeamMatch& match, Found& found) {
   std::vector<Kick> kicks;
   for (std::size_t i = 1; i < match.truth.size(); ++i) {
     const sim::TruthFrame& truth = match.truth[i];
     const double speed = truth.ballVelocity.norm();
     const bool begins = speed >= kKickSpeed && match.truth[i - 1].ballVelocity.norm() < kKickSpeed;
-    const sim::RobotTruth& kicker = nearest(truth);
+    const sim::RobotTruth& kicker = nearestToBall(truth);
     if (!begins || distance(kicker.pose.position, truth.ball) > kReach) continue;
     if (!kicks.empty() && truth.time.seconds() - kicks.back().seconds < kBlowTime) continue;
     const double up = kicker.team == TeamColour::red ? 1.0 : -1.0;
@@ -89,11 +83,6 @@ void judgeCalls(const TeamMatch& match, Found& found) {
 }
 
 // Beliefs are of the own team's field, which is blue's turned.
-Point2<Field> ownPlace(Point2<Field> truth, TeamColour team, const body::FieldDescription& field) {
-  return team == TeamColour::red ? truth
-                                 : Point2<Field>{field.width - truth.x, field.length - truth.y};
-}
-
 void judgeBeliefs(const TeamMatch& match, Found& found) {
   const body::FieldDescription field = *body::fieldDescription("2006");
   for (const TeamRobot& robot : match.robots)
@@ -104,14 +93,12 @@ void judgeBeliefs(const TeamMatch& match, Found& found) {
       const auto self = std::find_if(truth.robots.begin(), truth.robots.end(),
                                      [&](const sim::RobotTruth& r) { return robot.is(r); });
       if (self == truth.robots.end()) continue;
-      const double turn = robot.team == TeamColour::red ? 0.0 : 180.0;
-      const Angle heading = self->pose.heading + Angle::deg(turn);
+      const Pose2 own = sim::ownView(field, robot.team, self->pose);
+      const Point2<Field> ball = sim::ownView(field, robot.team, truth.ball);
       found.seen.count(frame.seen.present);
-      found.poseErrors.push_back(
-          distance(frame.pose.position, ownPlace(self->pose.position, robot.team, field)));
-      found.headingErrors.push_back((frame.pose.heading - heading).abs().deg());
-      if (frame.ball)
-        found.ballErrors.push_back(distance(frame.ballAt, ownPlace(truth.ball, robot.team, field)));
+      found.poseErrors.push_back(distance(frame.pose.position, own.position));
+      found.headingErrors.push_back((frame.pose.heading - own.heading).abs().deg());
+      if (frame.ball) found.ballErrors.push_back(distance(frame.ballAt, ball));
     }
 }
 

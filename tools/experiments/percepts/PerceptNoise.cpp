@@ -15,6 +15,7 @@
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/match/AgentFrames.h"
 #include "tools/experiments/team/TeamMatch.h"
+#include "tools/league/value/PlayedTruth.h"
 #include "tools/percepts/Shown.h"
 
 namespace kelpie::experiments {
@@ -205,18 +206,6 @@ class Frame {
   View view_;
 };
 
-Expected<std::vector<sim::TruthFrame>> readTruth(const std::string& path) {
-  auto reader = LogReader::open(path);
-  if (!reader) return Error{reader.error()};
-  std::vector<sim::TruthFrame> frames;
-  LogMessage message;
-  sim::TruthFrame truth;
-  while (reader->next(message))
-    if (message.topic() == sim::kTruthTopic && decodeAs(message, truth)) frames.push_back(truth);
-  if (frames.empty()) return Error{path + ": no truth"};
-  return frames;
-}
-
 // In the middle of the exposure, which ended with the image's truth; of the one who looks, the
 // joints that it sensed.
 Moment momentOf(const sim::TruthFrame& before, const sim::TruthFrame& truth,
@@ -264,11 +253,11 @@ Status playOne(const cli::SessionOptions& session, Found& found) {
   Status judged = Done{};
   cli::SessionTalk talk;
   talk.all = [&](const std::vector<std::string>& logs, const std::string& worldLog) {
-    const auto truth = readTruth(worldLog);
+    const auto truth = value::readTruth(worldLog);
     if (!truth) judged = Error{truth.error()};
     const auto field = body::fieldDescription(session.field);
     for (const std::string& log : logs)
-      if (judged) judged = judgeRobot(log, *truth, *field, found);
+      if (judged) judged = judgeRobot(log, truth->frames, *field, found);
   };
   const cli::SessionResult result = cli::runSession(session, talk);
   if (!result.trouble.empty()) return Error{result.trouble};

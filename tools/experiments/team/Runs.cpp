@@ -63,14 +63,6 @@ std::vector<bool> playing(const Played& played) {
   return plays;
 }
 
-const sim::RobotTruth& nearest(const sim::TruthFrame& truth) {
-  return *std::min_element(truth.robots.begin(), truth.robots.end(),
-                           [&](const sim::RobotTruth& a, const sim::RobotTruth& b) {
-                             return distance(a.pose.position, truth.ball) <
-                                    distance(b.pose.position, truth.ball);
-                           });
-}
-
 void judgeRuns(const Played& played, const std::vector<bool>& plays, Teams& teams) {
   Run run;
   const auto end = [&] {
@@ -85,7 +77,7 @@ void judgeRuns(const Played& played, const std::vector<bool>& plays, Teams& team
     last = truth.ball;
     if (!plays[i] || put || now - run.end > kBreak) end();
     if (!plays[i] || put) continue;
-    const sim::RobotTruth& one = nearest(truth);
+    const sim::RobotTruth& one = nearestToBall(truth);
     const double away = distance(one.pose.position, truth.ball);
     if (away > kWith) continue;
     if (one.team != run.team || one.player != run.player) {

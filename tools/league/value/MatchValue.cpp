@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/sim/rules/MatchScene.h"
 #include "tools/sim/world/Ball.h"
 
 namespace kelpie::value {
@@ -20,10 +21,6 @@ constexpr std::size_t kAfter = 3;       // frames after it, when the ball has it
 constexpr double kShotBeside = 1.0;     // widths of the goal from its middle
 
 std::size_t indexOf(TeamColour team) { return static_cast<std::size_t>(team); }
-
-TeamColour otherOf(TeamColour team) {
-  return team == TeamColour::red ? TeamColour::blue : TeamColour::red;
-}
 
 class Judge {
  public:
@@ -89,7 +86,7 @@ class Judge {
   }
 
   static double netOf(const TeamValues& values, TeamColour team) {
-    return values[indexOf(team)] - values[indexOf(otherOf(team))];
+    return values[indexOf(team)] - values[indexOf(sim::otherTeam(team))];
   }
 
   static TeamValues atEnd(const Stretch& stretch, const TeamValues& before) {
@@ -165,6 +162,13 @@ MatchFigures figuresOf(const PlayedTruth& match, const Models& models,
   Judge judge(match, models, field);
   for (const Stretch& stretch : stretchesOf(match)) judge.take(stretch);
   return judge.figures();
+}
+
+Expected<MatchFigures> figuresOfLog(const std::string& path, const Models& models,
+                                    const body::FieldDescription& field) {
+  const auto match = readTruth(path);
+  if (!match) return Error{match.error()};
+  return figuresOf(*match, models, field);
 }
 
 double sceneValue(const MatchFigures& figures, double horizon, double seconds) {

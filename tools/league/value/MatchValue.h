@@ -58,6 +58,10 @@ struct MatchFigures {
   double value() const { return of(TeamColour::red).value - of(TeamColour::blue).value; }
 };
 
+// Of the match that a log holds; an error as readTruth().
+Expected<MatchFigures> figuresOfLog(const std::string& path, const Models& models,
+                                    const body::FieldDescription& field);
+
 // Of a scene of so many seconds, which ends at a goal, as red sees it: for what is left of its time
 // the team that scored counts as one that is sure to. Else a team lost by scoring soon. `horizon`:
 // of the far model.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tools/sim/bodies/HoldWatch.h"
+#include "tools/sim/rules/MatchScene.h"
 #include "tools/sim/world/Ball.h"
 
 namespace kelpie::value {
@@ -135,17 +136,13 @@ void lookAtRobots(const TeamState& state, const body::FieldDescription& field, F
 
 TeamState stateOf(const sim::TruthFrame& truth, TeamColour team,
                   const body::FieldDescription& field) {
-  const bool turned = team == TeamColour::blue;
-  const auto place = [&](Point2<Field> p) {
-    return turned ? Point2<Field>{field.width - p.x, field.length - p.y} : p;
-  };
   TeamState state;
-  state.ball = place(truth.ball);
-  state.velocity = turned ? truth.ballVelocity * -1.0 : truth.ballVelocity;
+  state.ball = sim::ownView(field, team, truth.ball);
+  state.velocity = team == TeamColour::blue ? truth.ballVelocity * -1.0 : truth.ballVelocity;
   for (const sim::RobotTruth& robot : truth.robots) {
     if (body::carpetDistance(field, robot.pose.position) > 0.0) continue;
-    const Angle heading = robot.pose.heading + Angle::deg(turned ? 180.0 : 0.0);
-    (robot.team == team ? state.own : state.other).push_back({place(robot.pose.position), heading});
+    Poses& side = robot.team == team ? state.own : state.other;
+    side.push_back(sim::ownView(field, team, robot.pose));
   }
   return state;
 }

@@ -149,8 +149,6 @@ void shotPlace(Drawing& draw) {
   draw.keepers();
 }
 
-void goalieOne(Drawing& draw) { shotPlace(draw); }
-
 void goalieTwo(Drawing& draw) {
   shotPlace(draw);
   draw.near(kRed, 3, {80.0, 200.0});
@@ -284,7 +282,7 @@ constexpr Kind kKinds[] = {
     {"own-box", "2v2", kShort, ownBox},
     {"corner", "2v2", kShort, corner},
     {"edge", "2v2", kShort, edge},
-    {"goalie-one", "2v1", kShort, goalieOne},
+    {"goalie-one", "2v1", kShort, shotPlace},
     {"goalie-two", "3v1", kShort, goalieTwo},
     {"two-two", "3v3", kShort, twoTwo},
     {"three-three", "4v4", kLong, threeThree},
