@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """sample.py --out FOLDER   plays matches of percepts and keeps rows of them, to learn from.
 
-Seed by seed teams/kelpie and teams/thesis meet in all pairings. A match is a file of rows
-(`kelpie value --rows`, 170 kB); what is there already is not played again, so that the same command
-goes on where it was stopped. One match at a time: the same command with other seeds beside it."""
+Seed by seed teams/kelpie, teams/thesis and teams/runner meet in the pairings below. A match is a
+file of rows (`kelpie value --rows`, 170 kB); what is there already is not played again, so that the
+same command goes on where it was stopped. One match at a time: the same command with other seeds
+beside it."""
 
 import argparse
 import os
@@ -15,7 +16,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 KELPIE = os.environ.get('KELPIE_PROGRAM', str(ROOT / 'build/host/bin/kelpie'))
-PAIRINGS = [('kelpie', 'thesis'), ('thesis', 'kelpie'), ('kelpie', 'kelpie'), ('thesis', 'thesis')]
+PAIRINGS = [('kelpie', 'thesis'), ('runner', 'kelpie'), ('thesis', 'kelpie'), ('kelpie', 'runner'),
+            ('kelpie', 'kelpie'), ('runner', 'thesis'), ('runner', 'runner'), ('thesis', 'runner')]
 
 
 def play(seed, red, blue, minutes, rows):
