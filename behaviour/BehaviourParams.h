@@ -19,6 +19,7 @@ struct Task {
                                     // search and intercept
   std::array<double, 10> points{};  // cm on the field: x, y of the challenge's five points
   bool grab = true;                 // the ball is grabbed where the decision tree says so
+  bool run = false;                 // who attacks pushes the ball ahead and runs after it
   KickChoice kicks = KickChoice::map;
   Aiming aiming = Aiming::sight;
   BallSearch search = BallSearch::chain;
@@ -33,18 +34,18 @@ struct Task {
 
   template <int = 0>
   static constexpr auto fields() {
-    return fieldList(field("player", &Task::player, "", 0, kPlayerKindCount - 1),
-                     field("rules", &Task::rules, "", 0, kRuleSetCount - 1),
-                     field("points", &Task::points, "cm", -1000, 2000), field("grab", &Task::grab),
-                     field("kicks", &Task::kicks, "", 0, kKickChoiceCount - 1),
-                     field("aiming", &Task::aiming, "", 0, kAimingCount - 1),
-                     field("search", &Task::search, "", 0, kBallSearchCount - 1),
-                     field("dodge", &Task::dodge), field("intercept", &Task::intercept),
-                     field("positions", &Task::positions, "", 0, kPositioningCount - 1),
-                     field("passing", &Task::passing),
-                     field("distributedFind", &Task::distributedFind),
-                     field("birdOfPrey", &Task::birdOfPrey), field("scoreAware", &Task::scoreAware),
-                     field("skill", &Task::skill, "", 0, 99));
+    return fieldList(
+        field("player", &Task::player, "", 0, kPlayerKindCount - 1),
+        field("rules", &Task::rules, "", 0, kRuleSetCount - 1),
+        field("points", &Task::points, "cm", -1000, 2000), field("grab", &Task::grab),
+        field("run", &Task::run), field("kicks", &Task::kicks, "", 0, kKickChoiceCount - 1),
+        field("aiming", &Task::aiming, "", 0, kAimingCount - 1),
+        field("search", &Task::search, "", 0, kBallSearchCount - 1), field("dodge", &Task::dodge),
+        field("intercept", &Task::intercept),
+        field("positions", &Task::positions, "", 0, kPositioningCount - 1),
+        field("passing", &Task::passing), field("distributedFind", &Task::distributedFind),
+        field("birdOfPrey", &Task::birdOfPrey), field("scoreAware", &Task::scoreAware),
+        field("skill", &Task::skill, "", 0, 99));
   }
 };
 

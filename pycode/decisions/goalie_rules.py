@@ -2,10 +2,12 @@
 # The tests of the goalie's rules (thesis 2006 algorithm 4.1), each of a GoalieSituation and of the
 # state that is played: why its state is due, with the numbers that decided, or None. They keep and
 # change nothing. The order is the player's (players/goalie.py).
-import kelpie
+import math
 
+import kelpie
 from lib import rulebook
 from lib.goalie_places import beyond_box
+from lib.paths import point_of
 from situation import opponents
 from situation.shot import coming, speed
 from situation.shot_watch import NAMES
@@ -21,6 +23,7 @@ STANDS = CONSTANTS.stands  # s after a motion: the ball seen by a robot that lie
 NEAR = CONSTANTS.near  # cm beyond the box; the neck stays in, the legs reach farther
 LEAVE = 15.0         # cm beyond the box; thesis 2004 section 4.2.2
 FAST = CONSTANTS.fast  # cm/s; a faster ball is not run after
+CLEARS = CONSTANTS.clears  # cm round the box in which a ball is run through
 
 
 def faces_wrong(now, playing):
@@ -56,6 +59,24 @@ def mate_grabs(now, playing):
     """A held ball is nobody else's to kick."""
     yields = rulebook.of(now.world).YIELDS and opponents.mate_grabs(now.world)
     return ('a mate grabs the ball',) if yields else None
+
+
+def can_run(now, playing):
+    """Of who runs with the ball: one in the box is the goalie's, and so is one beside it while no
+    mate is nearer. Waiting for it beside the line, as against a kick, lets it be pushed in."""
+    world = now.world
+    if not rulebook.runs(world) or not now.sees() or now.pose_lost:
+        return None
+    away = beyond_box(world.field, now.ball)
+    if away > CLEARS or not (away == 0.0 or nearest(world, now.ball)):
+        return None
+    return 'the ball is {} cm beyond the box', away
+
+
+def nearest(world, place) -> bool:
+    """Whether no mate is nearer to a place of the field."""
+    here = math.dist(point_of(world.pose), place)
+    return all(here < math.dist(point_of(mate.pose), place) for mate in world.teammates)
 
 
 def opponent_has_ball(now, playing):

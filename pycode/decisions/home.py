@@ -6,7 +6,7 @@
 import math
 
 import kelpie
-from decisions import positions, positions_passing
+from decisions import positions, positions_passing, positions_play
 from decisions.positions_regression import PLACE, RegressedPositions, attacker_angle, attacks
 from lib import rulebook
 from lib.paths import attacker_of, bearing_of, point_of
@@ -35,6 +35,8 @@ class Home:
             if self.frames <= 0 or self.raw is None:
                 self.frames = EVERY_FRAMES
                 self.raw = self.by_examples(world, role, at)
+        elif rulebook.follows_play(world):
+            self.raw = (*positions_play.place(world, role, ball or at), None)
         else:
             self.raw = (*positions.PLACES[role](world.field, at), None)
         place = self.raw[0], self.raw[1]

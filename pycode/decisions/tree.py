@@ -17,6 +17,7 @@ DRIBBLE, UPENN_LEFT, UPENN_RIGHT, HEAD_LEFT, HEAD_RIGHT, AVOID_OWN_GOAL = WITHOU
     'dribble', 'upenn_left', 'upenn_right', 'head_left', 'head_right', 'avoid_own_goal')
 LEAVES = WITH_GRAB + WITHOUT_GRAB
 KICK_AHEAD = 'kick_ahead'   # ours, of the kick map alone: a free ball straight ahead
+RUN = 'run'                 # ours, of lib/rulebook.py's runs(): pushed ahead and run after
 
 SHOOTING = 170.0     # cm to the goal from which a held ball is shot at a gap
 ROUGHLY_UP = 30.0    # deg: "facing roughly the right direction", Alg 5.3

@@ -139,6 +139,16 @@ def grabs(world) -> bool:
     return of(world).THESIS or world.task.grab
 
 
+def runs(world) -> bool:
+    """Whether who attacks may run with the ball, pushed ahead of it, in place of a grab."""
+    return not of(world).THESIS and world.task.run
+
+
+def follows_play(world) -> bool:
+    """Whether who does not play the ball stays near the play, and runs."""
+    return not of(world).THESIS and world.task.positions == kelpie.POSITIONS_BY_PLAY
+
+
 def dodges(world) -> bool:
     """Whether who stands in the way with the ball is gone round."""
     return of(world).THESIS or world.task.dodge

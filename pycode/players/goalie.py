@@ -18,6 +18,7 @@ from situation.memory import Memory
 from situation.opponents import at_ball
 from situation.shot import coming
 from skills.ball.attack_ball import AttackBall
+from skills.ball.run_ball import RunBall
 from skills.head.goalie_head import GoalieHead
 from skills.motion.get_up import GetUp
 from skills.motion.kick import Kick
@@ -40,6 +41,7 @@ class Goalie(RuleMachine):
         (rules.stands_over_ball, 'step_back'),
         (rules.ball_comes, 'adjust'),
         (rules.mate_grabs, 'guard'),
+        (rules.can_run, 'run_out'),
         (rules.opponent_has_ball, 'guard'),
         (rules.can_clear, 'clear'),
         (rules.can_attack, 'attack'),
@@ -73,6 +75,8 @@ class Goalie(RuleMachine):
             return FaceUpField(world, now.facing)
         if name == 'attack':
             return AttackBall()
+        if name == 'run_out':
+            return RunBall(self.memory)
         if name == 'step_back':
             return StepBack(world)
         return GuardGoal(NONE if name == 'adjust' else OF_2006)
@@ -152,6 +156,9 @@ class Goalie(RuleMachine):
         shot = coming(world, rules.COMING_BESIDE, rules.COMING_SHORT, 0.0)
         place = beside(world.pose, shot.lateral if shot is not None else 0.0)
         return self.acting(world, walk=self.skill.step(world, facing(place, self.now.ball)))
+
+    def run_out(self, world) -> kelpie.Command:
+        return self.skill.step(world)
 
     def attack(self, world):
         if rulebook.of(world).ATTACKS_BRIEFLY and self.timed_out(world, ATTACK):

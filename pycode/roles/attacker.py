@@ -22,6 +22,7 @@ from skills.ball.find_together import FindTogether
 from skills.ball.grab_dribble import GrabDribble
 from skills.ball.kick_ball import KickBall
 from skills.ball.line_up_kick import LineUpKick
+from skills.ball.run_ball import RunBall
 from skills.head.active_localise import LEAVE, ActiveLocalise
 from skills.head.glance import Glance
 from skills.head.track_ball import believed
@@ -117,7 +118,7 @@ class Attacker(RuleMachine):
         self.by_map = LeafByMap()
         self.held = HeldChoice(memory, self.contested)
         self.localise_skill = ActiveLocalise(memory)
-        self.stuck = PawStuck()
+        self.stuck = PawStuck(pushes_on=True)
         self.team_search = FindTogether(memory, True)
         self.glance = Glance(memory)
         self.box_frames = 0     # for which it waited for a ball in the own box
@@ -259,7 +260,9 @@ class Attacker(RuleMachine):
         leaf, self.tree_place, *why = tree.decide(situation)
         self.tree_leaf, self.tree_why = leaf, tuple(why)
         self.chosen_by = 'kept'
-        if rulebook.by_kick_map(world) and world.task.grab:
+        if rulebook.runs(world):
+            self.chosen_by, leaf, why = 'rulebook', tree.RUN, ('it runs with the ball',)
+        elif rulebook.by_kick_map(world) and world.task.grab:
             self.chosen_by = 'leaf_by_map'
             leaf, *why = self.by_map.choose(world, situation, leaf, self.leaf)
         if leaf in tree.WITH_GRAB and not rulebook.grabs(world):
@@ -276,6 +279,8 @@ class Attacker(RuleMachine):
         """The skill that plays a leaf, begun anew."""
         if leaf in KICKS:
             return KickBall(self.memory, KICKS[leaf])
+        if leaf == tree.RUN:
+            return RunBall(self.memory)
         if leaf == tree.DRIBBLE:
             return Dribble(self.memory, self.goal_heading)
         if leaf == LINE_UP:

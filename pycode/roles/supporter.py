@@ -23,6 +23,7 @@ from skills.walk.avoid_attacker import AvoidAttacker
 from skills.walk.bird_of_prey import BirdOfPrey
 from skills.walk.get_out_of_way import GetOutOfWay
 from skills.walk.paw_stuck import PawStuck, paw_pushes
+from skills.walk.run_to import RunTo
 
 LOST_FRAMES = 40           # facts-2005 section 7.1: "anywhere"
 FAR = 100.0                # cm from home: Bird of Prey, which ends within
@@ -42,7 +43,9 @@ class SupporterSituation:
         self.ball = reported or time_to.ball_of(world, memory.ball_lost)
         # The team has the ball that this robot has lost: it need not look for it.
         self.reported = reported is not None and rulebook.of(world).HEARS_OF_BALL
-        self.lanes = keep_off.lanes(world, self.ball)
+        # By the play nobody's place lies in the attacker's way, and nobody leaves it for another.
+        self.by_play = rulebook.follows_play(world)
+        self.lanes = [] if self.by_play else keep_off.lanes(world, self.ball)
         self.home, self.away = None, 0.0   # the place, and how far it is
         self.paw_pushes = False
         self.held = None                   # GetOutOfWay, which knows who holds the ball
@@ -79,6 +82,11 @@ def mate_comes(now, playing):
     return ('in the attacker\'s way to the ball',) if lane is not None else None
 
 
+def play_goes_on(now, playing):
+    known = now.ball is not None and (now.reported or now.memory.ball_lost <= LOST_FRAMES)
+    return ('its place is {} cm away', now.away) if now.by_play and known else None
+
+
 def home_is_far(now, playing):
     return ('home is {} cm away', now.away) if now.away > FAR else None
 
@@ -98,6 +106,7 @@ class Supporter(RuleMachine):
     RULES = (
         (paw_pushes, 'back_off'),
         (mate_passes, 'receive'),
+        (play_goes_on, 'run_along'),
         (mate_holds, 'get_out_of_way'),
         (mate_has_ball, 'avoid_ball'),
         (bird_flies, 'bird_of_prey'),
@@ -115,7 +124,7 @@ class Supporter(RuleMachine):
         self.stuck = PawStuck()
         self.watch = WatchPlay(memory)
         self.home_of = Home()
-        self.bird, self.avoid = BirdOfPrey(), AvoidAttacker()
+        self.bird, self.avoid, self.run = BirdOfPrey(), AvoidAttacker(), RunTo()
         self.out_of_way = GetOutOfWay(role)
         self.team_search = FindTogether(memory, False)
         self.now = None                 # SupporterSituation of this frame
@@ -144,7 +153,7 @@ class Supporter(RuleMachine):
             return FindBall(now.world, self.memory)
         return {'back_off': self.stuck, 'get_out_of_way': self.out_of_way,
                 'avoid_ball': self.avoid, 'avoid_attacker': self.avoid,
-                'bird_of_prey': self.bird}.get(name)
+                'bird_of_prey': self.bird, 'run_along': self.run}.get(name)
 
     def wanted(self, world):
         """Where it goes on the field: home."""
@@ -174,6 +183,9 @@ class Supporter(RuleMachine):
 
     def bird_of_prey(self, world) -> kelpie.Command:
         return self.walking(world, self.bird.step(world, self.now.home))
+
+    def run_along(self, world) -> kelpie.Command:
+        return self.walking(world, self.run.step(world, (self.now.home, self.now.ball)))
 
     def find_ball(self, world) -> kelpie.Command:
         together = self.team_search.step(world) if len(world.teammates) > 0 else None

@@ -8,6 +8,7 @@
 import math
 
 import kelpie
+from lib import rulebook
 from lib.geom import from_field, heading, wrap
 
 SPEED = 30.0             # cm/s, and
@@ -20,6 +21,8 @@ STUCK_S = 2.0            # ours: backing off takes 0.8 s, coming back as long
 SURE_FRAMES = 15         # frames lost from which a ball is less sure (facts-2005 section 7.1),
 LOST_S = 0.002           # s for the square of each more,
 LOST_MAX_S = 6.0         # up to so much, after 2.3 s
+ROUND_S = 0.9            # s for half a circle round the ball: ours, of who runs with it and has to
+                         # be behind it
 ATTACKER_S = 0.7         # bonuses of U04
 GRAB_S = 2.0  # s
 NEVER_S = 1000.0         # of who knows no ball (robot/core/types/TeamNote.h)
@@ -117,8 +120,18 @@ def to_ball(world, lost_frames, attacked, grabs) -> float:
     ball = ball_of(world, lost_frames)
     if ball is None:
         return NEVER_S
-    return (to_point(world, ball) + unsure(lost_frames) + (0.0 if attacked else ATTACKER_S) +
-            (0.0 if grabs else GRAB_S))
+    return (to_point(world, ball) + unsure(lost_frames) + behind(world, ball) +
+            (0.0 if attacked else ATTACKER_S) + (0.0 if grabs else GRAB_S))
+
+
+def behind(world, ball) -> float:
+    """Seconds round the ball for who runs with it to the opponents' goal."""
+    if not rulebook.runs(world):
+        return 0.0
+    field, here = world.field, world.pose.position
+    goal = math.degrees(math.atan2(field.length - ball[1], 0.5 * field.width - ball[0]))
+    way = math.degrees(math.atan2(ball[1] - here.y, ball[0] - here.x))
+    return ROUND_S * abs(wrap(goal - way)) / 180.0
 
 
 def grabs_now(world, memory) -> int:

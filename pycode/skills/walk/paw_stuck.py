@@ -26,6 +26,8 @@ DEAF_S = 0.5          # between two times of backing: whoever always backs never
 HELD_DEAF_S = 2.5     # after backing was of no use: a turn by 180 deg and a step
 BALL_AT_PAWS = 30.0   # cm
 WALKS_AHEAD = 8.0     # cm/s
+PUSHES_ON_S = 1.2     # for which who runs with the ball pushes at what holds it: it is the ball, or
+                      # an opponent who wants it
 
 
 def blocked(world) -> tuple[bool, bool]:
@@ -48,8 +50,11 @@ def paw_pushes(now, playing):
 class PawStuck(Machine):
     NAME = 'paw_stuck'
 
-    def __init__(self):
+    def __init__(self, pushes_on=False):
+        """`pushes_on`: of who plays the ball, and pushes it where it runs (lib/rulebook.py)."""
         super().__init__(self.free)
+        self.pushes_on = pushes_on
+        self.free_s = 0.0       # when nothing held it last
         self.straight_s = None  # when it last backed straight
         self.deaf_until_s = -math.inf
         self.headway = Headway()
@@ -57,14 +62,22 @@ class PawStuck(Machine):
     def update(self, world) -> None:
         """To be called once in every frame."""
         self.headway.update(world)
+        if not world.motion.feeling.stuck:
+            self.free_s = world.time_s
+
+    def felt(self, world) -> tuple[bool, bool, bool]:
+        """What is felt: by the left and the right paw, and by a ball that comes no nearer."""
+        if self.pushes_on and rulebook.runs(world):
+            held = world.time_s - self.free_s > PUSHES_ON_S
+            return held, held, False
+        return *blocked(world), rulebook.of(world).FEELS_HELD and self.headway.none
 
     def needed(self, world) -> bool:
         """Whether it backs in this frame; may be asked more than once."""
         if self.state != self.free and not self.ended(world):
             return True
-        left, right = blocked(world)
+        left, right, held = self.felt(world)
         ours = rulebook.of(world).FEELS_HELD
-        held = ours and self.headway.none
         if not (left or right or held) or (ours and world.time_s < self.deaf_until_s):
             return False
         self.begin(world, left or held, right or held)

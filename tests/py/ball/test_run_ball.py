@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+# Running with the ball: where it shall go, and the walk of who runs.
+import math
+
+import kelpie
+import pytest
+from lib.geom import heading
+from lib.steer import FULL, any_way
+from situation.memory import Memory
+from situation.run_way import in_way, leaves, run_way
+from situations import world
+from skills.ball.run_ball import BEHIND, ROUND, RunBall, aside, led
+
+FIELD = kelpie.FIELDS['2006']
+MIDDLE = 0.5 * FIELD.width
+
+
+def run(made):
+    return RunBall(Memory()).step(made).walk
+
+
+def opponent(x, y, seen_s=0.0):
+    one = kelpie.OpponentEstimate()
+    one.position.x, one.position.y, one.seconds_since_seen = x, y, seen_s
+    return one
+
+
+def test_a_free_ball_goes_straight_to_the_goal():
+    assert run_way(FIELD, (MIDDLE, 200.0), []) == pytest.approx(90.0)
+
+
+@pytest.mark.parametrize('x, side', [(MIDDLE - 10.0, -1.0), (MIDDLE + 10.0, 1.0)])
+def test_the_ball_goes_past_an_opponent_on_the_side_that_it_leaves_free(x, side):
+    way = run_way(FIELD, (MIDDLE, 200.0), [(x, 260.0)])
+    assert side * (way - 90.0) >= 15.0
+
+
+def test_an_opponent_behind_the_ball_or_far_ahead_is_not_in_the_way():
+    assert in_way([(MIDDLE, 150.0), (MIDDLE, 320.0)], (MIDDLE, 200.0), 90.0) == 0.0
+
+
+def test_at_the_side_line_the_ball_is_kept_on_the_field():
+    ball = (30.0, 250.0)
+    assert leaves(FIELD, ball, 115.0) and not leaves(FIELD, ball, 85.0)
+    way = run_way(FIELD, ball, [(60.0, 330.0)])
+    assert not leaves(FIELD, ball, way)
+
+
+def test_near_the_goal_the_side_is_run_at_that_the_goalie_leaves_free():
+    ball = (MIDDLE, FIELD.length - 90.0)
+    left = run_way(FIELD, ball, [(MIDDLE + 25.0, FIELD.length - 10.0)])
+    right = run_way(FIELD, ball, [(MIDDLE - 25.0, FIELD.length - 10.0)])
+    assert left > 90.0 > right
+
+
+def test_beside_the_mouth_a_way_over_the_goal_line_leaves_the_field():
+    ball = (MIDDLE, FIELD.length - 60.0)
+    assert not leaves(FIELD, ball, 90.0)
+    assert leaves(FIELD, ball, 40.0)
+
+
+def test_a_ball_ahead_on_its_line_is_run_through_at_full_speed():
+    asked = run(world(x=MIDDLE, y=200.0, heading=90.0, ball=(MIDDLE, 240.0)))
+    assert asked.forward == pytest.approx(FULL, abs=1.0) and asked.kind == kelpie.WALK_FAST
+    assert asked.turn_deg == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_ball_behind_is_turned_to_before_it_is_run_at():
+    asked = run(world(x=MIDDLE, y=200.0, heading=-90.0, ball=(MIDDLE, 330.0)))
+    assert math.hypot(asked.forward, asked.left) < 11.0 and abs(asked.turn_deg) > 100.0
+
+
+def test_who_comes_from_up_field_goes_round_the_ball_and_not_through_it():
+    made = world(x=MIDDLE, y=260.0, heading=-90.0, ball=(MIDDLE + 5.0, 230.0))
+    skill = RunBall(Memory())
+    asked = skill.step(made).walk
+    way = math.radians(heading(-asked.left, asked.forward) - made.ball.heading_deg)
+    assert skill.branch == 'round'
+    assert abs(math.sin(way)) * made.ball.distance == pytest.approx(ROUND, abs=0.5)
+
+
+@pytest.mark.parametrize('off', (20.0, 60.0, 120.0, 179.0))
+def test_both_sides_are_alike(off):
+    assert aside(60.0, -off) == -aside(60.0, off)
+
+
+def test_the_way_leads_no_farther_aside_than_the_tangent_of_the_circle_round_the_ball():
+    assert aside(100.0, 179.0) == pytest.approx(math.degrees(math.asin(ROUND / 100.0)))
+    assert aside(ROUND, 179.0) == pytest.approx(90.0)
+    assert aside(ROUND - 5.0, 179.0) > 90.0
+
+
+def test_on_its_line_the_ball_is_hit_on_the_side_from_which_it_turns_to_the_line():
+    assert 0.0 < aside(60.0, 0.5 * BEHIND) < 0.5 * BEHIND
+
+
+def test_a_rolling_ball_is_met_where_it_will_be_unless_it_was_not_seen():
+    made = world(ball=(180.0, 260.0))
+    made.ball.velocity.x = 40.0
+    assert led(made.ball) == pytest.approx((190.0, 260.0))
+    made.ball.seconds_since_seen = 0.5
+    assert led(made.ball) == pytest.approx((180.0, 260.0))
+
+
+def test_the_legs_strafe_only_slowly():
+    asked = any_way(90.0, 0.0, FULL)
+    assert asked.left == pytest.approx(35.0) and asked.kind != kelpie.WALK_FAST
+
+
+def test_the_trace_says_where_the_ball_shall_go():
+    skill, trace = RunBall(Memory()), []
+    skill.step(world(x=MIDDLE, y=200.0, heading=90.0, ball=(MIDDLE, 240.0)))
+    skill.explain(trace)
+    assert trace[0][1:3] == ('run_ball', 'push') and trace[0][4] == pytest.approx(90.0)
