@@ -61,6 +61,11 @@ def mate_grabs(now, playing):
     return ('a mate grabs the ball',) if yields else None
 
 
+def can_clear_at_once(now, playing):
+    """Of who runs with the ball: a kick brings one farther than running through it."""
+    return can_clear(now, playing) if rulebook.runs(now.world) else None
+
+
 def can_run(now, playing):
     """Of who runs with the ball: one in the box is the goalie's, and so is one beside it while no
     mate is nearer. Waiting for it beside the line, as against a kick, lets it be pushed in."""

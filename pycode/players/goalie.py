@@ -41,6 +41,7 @@ class Goalie(RuleMachine):
         (rules.stands_over_ball, 'step_back'),
         (rules.ball_comes, 'adjust'),
         (rules.mate_grabs, 'guard'),
+        (rules.can_clear_at_once, 'clear'),
         (rules.can_run, 'run_out'),
         (rules.opponent_has_ball, 'guard'),
         (rules.can_clear, 'clear'),

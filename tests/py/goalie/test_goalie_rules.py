@@ -79,3 +79,30 @@ def test_a_ball_that_rolls_at_10_cm_a_second_to_the_mouth_is_gone_into_the_way_o
     now = at_ball(21.0, -speed)
     now.world.ball.stopping_point.y = 0.0
     assert (goalie_rules.ball_comes(now, 'guard') is not None) is comes
+
+
+def running(y, **facts):
+    now = at_ball(y, **facts)
+    now.world.task.run = True
+    return now
+
+
+@pytest.mark.parametrize('beyond, runs', [(-10.0, True), (31.0, True), (33.0, False)])
+def test_who_runs_with_the_ball_runs_through_one_at_its_box(beyond, runs):
+    now = running(at_ball().world.field.box_depth + beyond)
+    assert (goalie_rules.can_run(now, 'guard') is not None) is runs
+    now.world.task.run = False
+    assert goalie_rules.can_run(now, 'guard') is None
+
+
+@pytest.mark.parametrize('y, runs', [(60.0, True), (90.0, False)])
+def test_beside_the_box_the_ball_is_a_nearer_mates_but_in_it_the_goalies(y, runs):
+    now = running(y)
+    there = kelpie.Pose2(position=kelpie.Point2(x=180.0, y=y + 10.0))
+    now.world.teammates = [kelpie.TeammateEstimate(player=2, pose=there)]
+    assert (goalie_rules.can_run(now, 'guard') is not None) is runs
+
+
+def test_a_goalie_without_a_pose_or_a_ball_runs_nowhere():
+    assert goalie_rules.can_run(running(40.0, pose_lost=True), 'guard') is None
+    assert goalie_rules.can_run(running(40.0, sees=lambda: False), 'guard') is None

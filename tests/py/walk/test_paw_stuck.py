@@ -4,7 +4,7 @@ import random
 
 import kelpie
 import pytest
-from skills.walk.paw_stuck import BACK_S, DEAF_S, FELT_S, HELD_DEAF_S, PawStuck
+from skills.walk.paw_stuck import BACK_S, DEAF_S, FELT_S, HELD_DEAF_S, PUSHES_ON_S, PawStuck
 
 FRAME_S = 1.0 / 30.0
 
@@ -158,3 +158,36 @@ def test_random_paws_never_stop_it_for_good():
             assert walk.forward < 0.0 and math.isfinite(walk.left)
     assert 0 < backs < 20000
     assert not skill.needed(world_with(False, False, 1e6))
+
+
+def runner(time_s, stuck, run=True):
+    world = kelpie.WorldFrame(time_s=time_s)
+    world.task.run, world.motion.feeling.stuck = run, stuck
+    world.motion.feeling.paw_blocked = [stuck, stuck]
+    return world
+
+
+def test_who_runs_with_the_ball_pushes_on_for_a_while_at_what_holds_it():
+    skill = PawStuck(pushes_on=True)
+    backs = []
+    for frame in range(60):
+        world = runner(frame * FRAME_S, True)
+        skill.update(world)
+        backs.append(skill.needed(world))
+    assert backs.index(True) == pytest.approx(PUSHES_ON_S / FRAME_S, abs=2)
+
+
+def test_without_running_it_backs_off_at_once():
+    skill, world = PawStuck(pushes_on=True), runner(0.0, True, run=False)
+    skill.update(world)
+    assert skill.needed(world)
+
+
+def test_a_ball_pushed_ahead_that_comes_no_nearer_holds_nobody():
+    skill = PawStuck(pushes_on=True)
+    for frame in range(120):
+        world = runner(frame * FRAME_S, False)
+        world.ball.present, world.ball.distance = True, 25.0
+        world.ball.seconds_since_seen, world.last_command.walk.forward = 0.0, 40.0
+        skill.update(world)
+        assert not skill.needed(world)
