@@ -18,6 +18,7 @@ MOST = CONSTANTS.most        # cm of it: the defender follows the play
 SWAY = CONSTANTS.sway        # cm to each side, across the way to the ball
 SWAY_S = 3.2         # s there and back: 22 cm to each side are walked at 30 cm/s
 EDGE = 20.0          # cm from the lines
+BOX = 24.0           # cm round the own box, which is its goalie's alone: half a robot, and the sway
 
 
 def support(field, ball) -> tuple:
@@ -38,8 +39,22 @@ def swayed(world, place, ball) -> tuple:
     turns = world.time_s / SWAY_S + world.game.player / 4.0
     angle = math.radians(direction(place, ball) + 90.0)
     off = SWAY * math.sin(2.0 * math.pi * turns)
-    return (clamp(place[0] + off * math.cos(angle), EDGE, world.field.width - EDGE),
-            clamp(place[1] + off * math.sin(angle), EDGE, world.field.length - EDGE))
+    return out_of_box(world.field, (
+        clamp(place[0] + off * math.cos(angle), EDGE, world.field.width - EDGE),
+        clamp(place[1] + off * math.sin(angle), EDGE, world.field.length - EDGE)))
+
+
+def out_of_box(field, point) -> tuple:
+    """The point, or the nearest to it that lies BOX outside the own box."""
+    x, y = point
+    half, deep = 0.5 * field.box_width + BOX, field.box_depth + BOX
+    middle = 0.5 * field.width
+    beside = abs(x - middle)
+    if beside >= half or y >= deep:
+        return point
+    if half - beside < deep - y and half < middle - EDGE:
+        return middle + math.copysign(half, x - middle), y
+    return x, deep
 
 
 def place(world, role, ball) -> tuple:

@@ -16,6 +16,7 @@ from safety.own_box import ball_outside_box
 from situation.at_ball import Situation
 from situation.contested import Contested
 from situation.goal import OpponentGoal
+from situation.open_shot import open_shot
 from skills.ball.dribble import Dribble
 from skills.ball.find_ball import FindBall
 from skills.ball.find_together import FindTogether
@@ -261,7 +262,8 @@ class Attacker(RuleMachine):
         self.tree_leaf, self.tree_why = leaf, tuple(why)
         self.chosen_by = 'kept'
         if rulebook.runs(world):
-            self.chosen_by, leaf, why = 'rulebook', tree.RUN, ('it runs with the ball',)
+            self.chosen_by = 'open_shot'
+            leaf, *why = self.run_or_shoot(world)
         elif rulebook.by_kick_map(world) and world.task.grab:
             self.chosen_by = 'leaf_by_map'
             leaf, *why = self.by_map.choose(world, situation, leaf, self.leaf)
@@ -274,6 +276,13 @@ class Attacker(RuleMachine):
             self.leaf_why = tuple(why)
         elif leaf == self.leaf:
             self.leaf_why = tuple(why)
+
+    def run_or_shoot(self, world) -> tuple:
+        """(leaf, reason, *numbers) of who runs with the ball."""
+        shot = open_shot(world, KICKS.get(self.leaf))
+        if shot is None:
+            return tree.RUN, 'no shot is open'
+        return kelpie.KICKS[shot[0]].leaf, 'a goal with a chance of {}', shot[1]
 
     def make(self, leaf):
         """The skill that plays a leaf, begun anew."""

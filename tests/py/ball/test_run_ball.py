@@ -4,9 +4,12 @@ import math
 
 import kelpie
 import pytest
+from lib import kick_table
 from lib.geom import heading
 from lib.steer import FULL, any_way
+from roles.attacker import Attacker
 from situation.memory import Memory
+from situation.open_shot import KEEPS, SHOT, open_shot
 from situation.run_way import in_way, leaves, run_way
 from situations import world
 from skills.ball.run_ball import BEHIND, ROUND, RunBall, aside, led
@@ -112,3 +115,56 @@ def test_the_trace_says_where_the_ball_shall_go():
     skill.step(world(x=MIDDLE, y=200.0, heading=90.0, ball=(MIDDLE, 240.0)))
     skill.explain(trace)
     assert trace[0][1:3] == ('run_ball', 'push') and trace[0][4] == pytest.approx(90.0)
+
+
+def shooter(y, offs=0.0):
+    return world(x=MIDDLE, y=y, heading=90.0 + offs, ball=(MIDDLE, y + 40.0))
+
+
+def test_from_near_a_free_ball_ahead_is_shot_at_an_open_goal():
+    kick, chance = open_shot(shooter(FIELD.length - 130.0))
+    assert kelpie.KICKS[kick].leaf == 'kick_ahead' and SHOT < chance <= 1.0
+
+
+def test_one_at_the_side_is_swiped_in():
+    made = world(x=60.0, y=FIELD.length - 120.0, heading=90.0, ball=(60.0, FIELD.length - 90.0))
+    made.pose.heading_deg = 95.0
+    kick, _ = open_shot(made)
+    assert kick in kick_table.LEFT_OF    # to the right
+
+
+@pytest.mark.parametrize('made', [
+    shooter(200.0), world(x=MIDDLE, y=300.0, heading=90.0, ball=(MIDDLE, FIELD.length - 80.0))],
+    ids=['a goal far away', 'a ball far away'])
+def test_from_far_nothing_is_shot(made):
+    assert open_shot(made) is None
+
+
+@pytest.mark.parametrize('x, y', [(MIDDLE + 5.0, -60.0), (MIDDLE + 30.0, -90.0)])
+def test_at_a_goalie_or_with_somebody_at_the_ball_it_is_run_on(x, y):
+    made = shooter(FIELD.length - 130.0)
+    made.opponents = [opponent(x, FIELD.length + y)]
+    assert open_shot(made) is None
+
+
+def test_a_goalie_in_the_corner_leaves_enough():
+    made = shooter(FIELD.length - 130.0)
+    made.opponents = [opponent(MIDDLE + 60.0, FIELD.length - 10.0)]
+    assert open_shot(made) is not None
+
+
+def test_the_kick_that_is_played_goes_on_with_less():
+    made = shooter(FIELD.length - 130.0)
+    kick, chance = open_shot(made)
+    assert open_shot(made, kick)[1] == pytest.approx(chance + KEEPS)
+
+
+@pytest.mark.parametrize('y, leaf', [(200.0, 'run'), (FIELD.length - 130.0, 'kick_ahead')])
+def test_the_attacker_runs_and_shoots(y, leaf):
+    made = shooter(y)
+    made.task.run = True
+    memory = Memory()
+    memory.update(made)
+    player = Attacker(memory)
+    player.step(made)
+    assert player.leaf == leaf

@@ -5,7 +5,8 @@ import math
 
 import kelpie
 import pytest
-from decisions.positions_play import MOST, SWAY, SWAY_S, defence, place, support, swayed
+from decisions.positions_play import BOX, MOST, SWAY, SWAY_S, defence, place, support, swayed
+from lib.goalie_places import beyond_box
 from roles.supporter import Supporter
 from situation import time_to
 from situation.memory import Memory
@@ -71,6 +72,7 @@ def test_each_place_is_on_the_field():
             for role in (S, D):
                 at = place(made, role, (float(x), float(y)))
                 assert 0.0 < at[0] < FIELD.width and 0.0 < at[1] < FIELD.length
+                assert beyond_box(FIELD, at) >= BOX - 1e-6
 
 
 @pytest.mark.parametrize('at', [(300.0, 350.0), (110.0, 120.0), (300.0, 100.0)])

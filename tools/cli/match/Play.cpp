@@ -200,8 +200,8 @@ Status addTeams(PlayOptions& options) {
   if (options.robots.empty() && options.red.empty() && options.blue.empty()) return Done{};
   auto plan = teamPlan(options.robots.empty() ? "4v4" : options.robots);
   if (!plan) return Error{plan.error()};
-  plan->redFolder = options.red;
-  plan->blueFolder = options.blue;
+  plan->redFolder = options.red.empty() ? defaultTeam() : options.red;
+  plan->blueFolder = options.blue.empty() ? defaultTeam() : options.blue;
   return useTeams(*plan, options.session);
 }
 

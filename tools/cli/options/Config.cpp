@@ -166,5 +166,6 @@ Status checkScripts(const std::string& scripts) {
 }
 
 std::string defaultScripts() { return KELPIE_SOURCE_DIR "/pycode"; }
+std::string defaultTeam() { return KELPIE_SOURCE_DIR "/teams/kelpie"; }
 
 }  // namespace kelpie::cli

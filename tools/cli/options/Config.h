@@ -49,5 +49,7 @@ Status checkScripts(const std::string& scripts);
 
 // pycode/ of the source tree that the program was built from.
 std::string defaultScripts();
+// The folder of the team that plays where nobody names another.
+std::string defaultTeam();
 
 }  // namespace kelpie::cli
