@@ -17,6 +17,7 @@ from situation.at_ball import Situation
 from situation.contested import Contested
 from situation.goal import OpponentGoal
 from situation.open_shot import open_shot
+from situation.run_way import pressed
 from skills.ball.dribble import Dribble
 from skills.ball.find_ball import FindBall
 from skills.ball.find_together import FindTogether
@@ -261,7 +262,7 @@ class Attacker(RuleMachine):
         leaf, self.tree_place, *why = tree.decide(situation)
         self.tree_leaf, self.tree_why = leaf, tuple(why)
         self.chosen_by = 'kept'
-        if rulebook.runs(world):
+        if rulebook.runs(world) and pressed(world, self.leaf == tree.RUN):
             self.chosen_by = 'open_shot'
             leaf, *why = self.run_or_shoot(world)
         elif rulebook.by_kick_map(world) and world.task.grab:
@@ -278,7 +279,8 @@ class Attacker(RuleMachine):
             self.leaf_why = tuple(why)
 
     def run_or_shoot(self, world) -> tuple:
-        """(leaf, reason, *numbers) of who runs with the ball."""
+        """(leaf, reason, *numbers) of who runs with the ball: a grab takes longer than who presses
+        needs to it."""
         shot = open_shot(world, KICKS.get(self.leaf))
         if shot is None:
             return tree.RUN, 'no shot is open'

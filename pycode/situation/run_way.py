@@ -16,6 +16,9 @@ IN_WAY = CONSTANTS.in_way  # cm ahead of the ball within which opponents are gon
 BODY = CONSTANTS.body      # cm beside them: half of two robots' widths and the ball
 BODY_COST = CONSTANTS.body_cost  # deg of turn that a body full in the way is worth
 SEEN_S = 2.0         # s; opponents seen longer ago have moved
+PRESSED = 100.0      # cm from an opponent to the ball: it is there when a grab ends, after 1.3 s and
+                     # the turn,
+FREED = 20.0         # cm more until the ball is free again
 GOAL_NEAR = 110.0    # cm from the goal, from where on the free side of its mouth is run at,
 ASIDE = 17.0         # cm from its middle
 KEEPER_AT = 50.0     # cm before the mouth's middle and beside it: who stands there guards it
@@ -30,6 +33,14 @@ POST = 8.0           # cm from a post that the ball keeps
 def opponents(world) -> list:
     """Where those are that were seen recently."""
     return [point_of(one) for one in world.opponents if one.seconds_since_seen < SEEN_S]
+
+
+def pressed(world, runs) -> bool:
+    """Whether an opponent is so near to the ball that nothing else than running with it will come
+    to its end. `runs`: it does so already."""
+    ball = point_of(world.ball)
+    return any(math.dist(ball, other) < (PRESSED + FREED if runs else PRESSED)
+               for other in opponents(world))
 
 
 def goal_point(field, ball, others) -> tuple:

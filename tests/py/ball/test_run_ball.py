@@ -10,7 +10,7 @@ from lib.steer import FULL, any_way
 from roles.attacker import Attacker
 from situation.memory import Memory
 from situation.open_shot import KEEPS, SHOT, open_shot
-from situation.run_way import in_way, leaves, run_way
+from situation.run_way import FREED, PRESSED, in_way, leaves, pressed, run_way
 from situations import world
 from skills.ball.run_ball import BEHIND, ROUND, RunBall, aside, led
 
@@ -127,8 +127,7 @@ def test_from_near_a_free_ball_ahead_is_shot_at_an_open_goal():
 
 
 def test_one_at_the_side_is_swiped_in():
-    made = world(x=60.0, y=FIELD.length - 120.0, heading=90.0, ball=(60.0, FIELD.length - 90.0))
-    made.pose.heading_deg = 95.0
+    made = world(x=110.0, y=FIELD.length - 90.0, heading=90.0, ball=(110.0, FIELD.length - 60.0))
     kick, _ = open_shot(made)
     assert kick in kick_table.LEFT_OF    # to the right
 
@@ -159,12 +158,32 @@ def test_the_kick_that_is_played_goes_on_with_less():
     assert open_shot(made, kick)[1] == pytest.approx(chance + KEEPS)
 
 
-@pytest.mark.parametrize('y, leaf', [(200.0, 'run'), (FIELD.length - 130.0, 'kick_ahead')])
-def test_the_attacker_runs_and_shoots(y, leaf):
-    made = shooter(y)
+@pytest.mark.parametrize('away, leaf', [(80.0, 'run'), (150.0, 'grab_dribble_goal')])
+def test_the_attacker_runs_when_it_is_pressed_and_else_plays_by_map_and_tree(away, leaf):
+    made = shooter(200.0)
     made.task.run = True
+    made.opponents = [opponent(MIDDLE + away, 240.0)]
+    assert attacker(made).leaf == leaf
+
+
+def test_pressed_it_kicks_where_a_shot_is_open():
+    made = shooter(FIELD.length - 130.0)
+    made.task.run = True
+    made.opponents = [opponent(MIDDLE + 80.0, FIELD.length - 90.0)]
+    assert attacker(made).leaf == 'kick_ahead'
+
+
+def attacker(made):
     memory = Memory()
     memory.update(made)
     player = Attacker(memory)
     player.step(made)
-    assert player.leaf == leaf
+    return player
+
+
+def test_who_runs_goes_on_until_the_ball_is_free_by_some_more():
+    made = shooter(200.0)
+    made.opponents = [opponent(MIDDLE + PRESSED + 0.5 * FREED, 240.0)]
+    assert pressed(made, True) and not pressed(made, False)
+    made.opponents = [opponent(MIDDLE + PRESSED - 5.0, 240.0, 2.5)]
+    assert not pressed(made, True)
