@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Teams that are Kelpie but for some rules.
+import tomllib
+
 import pytest
-from farm.variant import PYCODE, RULES, rulebook_without, team_toml, values, write_variant
+from farm.variant import KELPIE, PYCODE, RULES, rulebook_without, team_toml, values, write_variant
 from farm.work import Trouble
 
 TEXT = (PYCODE / RULES).read_text()
@@ -44,4 +46,6 @@ def test_what_is_no_variant_is_refused_and_leaves_no_folder(tmp_path, rules, set
 def test_no_team_is_overwritten(tmp_path):
     with pytest.raises(Trouble, match='is there already'):
         write_variant(tmp_path, ['GLANCES'], [])
-    assert team_toml(['kicks=0']).endswith('[behaviour.task]\nkicks = 0\n')
+    task = tomllib.loads(team_toml(['kicks=0', 'run=false']))['behaviour']['task']
+    kelpie = tomllib.loads(KELPIE.read_text(encoding='utf-8'))['behaviour']['task']
+    assert task == {**kelpie, 'kicks': 0, 'run': False}

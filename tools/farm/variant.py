@@ -5,13 +5,16 @@ folder holds a copy of the behaviours when a rule is another one; only files of 
 written."""
 
 import ast
+import json
 import re
 import shutil
+import tomllib
 from pathlib import Path
 
 from farm.work import ROOT, Trouble
 
 PYCODE = ROOT / 'pycode'
+KELPIE = ROOT / 'teams/kelpie/team.toml'
 RULES = 'lib/rulebook.py'
 SETTING = re.compile(r'([A-Za-z]+)=(true|false|[0-9]+)')
 
@@ -40,13 +43,20 @@ def rulebook_without(text, rules):
     return ''.join(lines)
 
 
+def task_lines(settings=()):
+    """The switches of teams/kelpie, in which those of `settings` (KEY=NUMBER) are other ones."""
+    switches = tomllib.loads(KELPIE.read_text(encoding='utf-8'))['behaviour']['task']
+    words = {key: json.dumps(value) for key, value in switches.items()}
+    words |= dict(setting.split('=') for setting in settings)
+    return ['[behaviour.task]', *(f'{key} = {word}' for key, word in words.items())]
+
+
 def team_toml(settings):
     for setting in settings:
         if not SETTING.fullmatch(setting):
             raise Trouble(f'--set {setting}: KEY=NUMBER, or true or false, of [behaviour.task]')
-    lines = ['# SPDX-License-Identifier: Apache-2.0', '# Kelpie but for what stands here.',
-             '[behaviour.task]', *(setting.replace('=', ' = ') for setting in settings)]
-    return '\n'.join(lines) + '\n'
+    return '\n'.join(['# SPDX-License-Identifier: Apache-2.0', '# Kelpie but for what is changed.',
+                      *task_lines(settings)]) + '\n'
 
 
 def write_variant(folder, rules, settings):

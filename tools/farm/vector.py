@@ -8,6 +8,7 @@ import json
 import sys
 from pathlib import Path
 
+from farm.variant import task_lines
 from farm.work import ROOT, Trouble
 
 sys.path.insert(0, str(ROOT / 'behaviour'))
@@ -47,7 +48,7 @@ def name_of(vector):
 
 def team_text(found, vector, about):
     """A team.toml; `about` is its first comment."""
-    lines = ['# SPDX-License-Identifier: Apache-2.0', f'# {about}']
+    lines = ['# SPDX-License-Identifier: Apache-2.0', f'# {about}', *task_lines()]
     changed = [one for one in found if vector.get(one.key, one.default) != one.default]
     for group in dict.fromkeys(one.group for one in changed):
         lines += ['', f'[behaviour.constants.{group}]']
