@@ -6,7 +6,6 @@
 import math
 
 import kelpie
-from lib.geom import clamp, wrap
 from lib.goalie_places import direction
 from lib.paths import point_of
 
@@ -16,8 +15,8 @@ IN_WAY = CONSTANTS.in_way  # cm ahead of the ball within which opponents are gon
 BODY = CONSTANTS.body      # cm beside them: half of two robots' widths and the ball
 BODY_COST = CONSTANTS.body_cost  # deg of turn that a body full in the way is worth
 SEEN_S = 2.0         # s; opponents seen longer ago have moved
-PRESSED = 100.0      # cm from an opponent to the ball: it is there when a grab ends, after 1.3 s and
-                     # the turn,
+PRESSED = CONSTANTS.pressed  # cm from an opponent to the ball: it is there when a grab ends, after
+                             # 1.3 s and the turn,
 FREED = 20.0         # cm more until the ball is free again
 GOAL_NEAR = 110.0    # cm from the goal, from where on the free side of its mouth is run at,
 ASIDE = 17.0         # cm from its middle
@@ -54,12 +53,19 @@ def goal_point(field, ball, others) -> tuple:
     return middle + aside, line + BEYOND
 
 
-def in_way(others, ball, degrees) -> float:
+def near_ball(others, ball) -> list:
+    """(cm, direction) from the ball of those who may be in its way; worked out once for all ways,
+    as the robot can spend little."""
+    reach = math.hypot(IN_WAY, BODY)
+    return [(math.dist(ball, other), direction(ball, other)) for other in others
+            if math.dist(ball, other) < reach]
+
+
+def in_way(near, degrees) -> float:
     """How much stands on the way from the ball in a direction: 0, up to about 1 for each body."""
     total = 0.0
-    for other in others:
-        away = math.dist(ball, other)
-        off = math.radians(wrap(direction(ball, other) - degrees))
+    for away, bearing in near:
+        off = math.radians(bearing - degrees)
         if 0.0 < math.cos(off) * away < IN_WAY:
             total += max(0.0, 1.0 - abs(math.sin(off)) * away / BODY) * (1.2 - away / IN_WAY)
     return total
@@ -79,10 +85,10 @@ def leaves(field, ball, degrees) -> bool:
 
 def run_way(field, ball, others) -> float:
     """The direction on the field in which the ball shall go."""
-    goal = direction(ball, goal_point(field, ball, others))
+    goal, near = direction(ball, goal_point(field, ball, others)), near_ball(others, ball)
 
     def cost(turn):
         out = OUT_COST if leaves(field, ball, goal + turn) else 0.0
-        return abs(turn) + BODY_COST * in_way(others, ball, goal + turn) + out
+        return abs(turn) + BODY_COST * in_way(near, goal + turn) + out
 
     return goal + min(TURNS, key=cost)

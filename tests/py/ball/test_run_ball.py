@@ -10,7 +10,7 @@ from lib.steer import FULL, any_way
 from roles.attacker import Attacker
 from situation.memory import Memory
 from situation.open_shot import KEEPS, SHOT, open_shot
-from situation.run_way import FREED, PRESSED, in_way, leaves, pressed, run_way
+from situation.run_way import FREED, PRESSED, in_way, leaves, near_ball, pressed, run_way
 from situations import world
 from skills.ball.run_ball import BEHIND, ROUND, RunBall, aside, led
 
@@ -39,7 +39,8 @@ def test_the_ball_goes_past_an_opponent_on_the_side_that_it_leaves_free(x, side)
 
 
 def test_an_opponent_behind_the_ball_or_far_ahead_is_not_in_the_way():
-    assert in_way([(MIDDLE, 150.0), (MIDDLE, 320.0)], (MIDDLE, 200.0), 90.0) == 0.0
+    near = near_ball([(MIDDLE, 150.0), (MIDDLE, 320.0)], (MIDDLE, 200.0))
+    assert len(near) == 1 and in_way(near, 90.0) == 0.0
 
 
 def test_at_the_side_line_the_ball_is_kept_on_the_field():
