@@ -67,7 +67,9 @@ Error silence(const ConnectionParams& params) {
   return {params.peer + " has been silent for " + decimal(params.timeout) + " s"};
 }
 
-Expected<MessageHeader> parsed(const std::uint8_t* bytes, const ConnectionParams& params) {
+}  // namespace
+
+Expected<MessageHeader> readHeader(const std::uint8_t* bytes, const ConnectionParams& params) {
   MessageHeader header;
   header.magic = get32(bytes);
   const std::uint32_t type = get32(bytes + 4);
@@ -87,7 +89,13 @@ Expected<MessageHeader> parsed(const std::uint8_t* bytes, const ConnectionParams
   return header;
 }
 
-}  // namespace
+HeaderBytes headerBytes(MessageType type, std::size_t size) {
+  HeaderBytes header;
+  put32(header.data(), kWorldMagic);
+  put32(header.data() + 4, static_cast<std::uint32_t>(type));
+  put32(header.data() + 8, static_cast<std::uint32_t>(size));
+  return header;
+}
 
 const char* messageName(MessageType type) {
   switch (type) {
@@ -120,16 +128,12 @@ Connection& Connection::operator=(Connection&& other) noexcept {
   return *this;
 }
 
-Expected<Connection::Header> Connection::headerOf(MessageType type, std::size_t size) const {
+Expected<HeaderBytes> Connection::headerOf(MessageType type, std::size_t size) const {
   if (size > params_.maxBody) {
     return Error{std::string(messageName(type)) + " message of " + std::to_string(size) +
                  " bytes is above the limit of " + std::to_string(params_.maxBody)};
   }
-  Header header;
-  put32(header.data(), kWorldMagic);
-  put32(header.data() + 4, static_cast<std::uint32_t>(type));
-  put32(header.data() + 8, static_cast<std::uint32_t>(size));
-  return header;
+  return headerBytes(type, size);
 }
 
 void Connection::hangUp() { ::shutdown(descriptor_, SHUT_RDWR); }
@@ -158,7 +162,7 @@ Expected<MessageType> Connection::receive(std::vector<std::uint8_t>& body) {
   std::uint8_t bytes[kHeaderBytes];
   const Status headerRead = readAll(bytes, sizeof bytes, false);
   if (!headerRead) return Error{headerRead.error()};
-  const Expected<MessageHeader> header = parsed(bytes, params_);
+  const Expected<MessageHeader> header = readHeader(bytes, params_);
   if (!header) return Error{header.error()};
   body.resize(header->size);
   const Status bodyRead = readAll(body.data(), body.size(), true);

@@ -24,6 +24,11 @@ struct ConnectionParams {
 };
 
 constexpr std::size_t kHeaderBytes = 12;
+using HeaderBytes = std::array<std::uint8_t, kHeaderBytes>;
+
+// A message's header as it is sent, and back; an error is one line.
+HeaderBytes headerBytes(MessageType type, std::size_t size);
+Expected<MessageHeader> readHeader(const std::uint8_t* bytes, const ConnectionParams& params);
 
 class Connection {
  public:
@@ -59,8 +64,7 @@ class Connection {
     const std::uint8_t* bytes;
     std::size_t size;
   };
-  using Header = std::array<std::uint8_t, kHeaderBytes>;
-  Expected<Header> headerOf(MessageType type, std::size_t size) const;
+  Expected<HeaderBytes> headerOf(MessageType type, std::size_t size) const;
   // What is written is taken off the parts.
   Status writeAll(Part* parts, std::size_t count);
 
