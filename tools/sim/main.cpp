@@ -25,6 +25,9 @@ namespace {
 struct Options : WorldOptions {
   std::string socket;
   std::size_t robots = 1;
+  std::vector<std::string> strangers;  // TEAM:PLAYER each
+  double agentLimit = 0.5;             // s
+  double agentWait = 10.0;             // s
   bool realTime = false;
   bool orders = false;  // of a person, on standard input
   bool respawn = false;
@@ -115,6 +118,26 @@ void watchLog(const LogWriter& log, ServerHooks& hooks) {
   };
 }
 
+Expected<std::vector<Agent>> placesForStrangers(const Options& options) {
+  std::vector<host::AgentHello> robots;
+  for (const std::string& words : options.strangers) {
+    const auto robot = robotFrom(words);
+    if (!robot) return Error{"'" + words + "': a stranger is TEAM:PLAYER, as in red:2"};
+    robots.push_back(*robot);
+  }
+  if (options.robots == 0 && robots.empty()) return Error{"no robot plays"};
+  return openStrangers(options.socket, robots, options.agentLimit);
+}
+
+// In their order.
+Expected<std::vector<Agent>> allAgents(const Options& options, host::Listener& listener) {
+  auto strangers = placesForStrangers(options);
+  if (!strangers) return Error{strangers.error()};
+  auto agents = gatherAgents(listener, options.robots, options.wait, cli::interrupted);
+  if (agents) addStrangers(std::move(*strangers), options.agentWait, cli::interrupted, *agents);
+  return agents;
+}
+
 Status play(const Options& options) {
   const auto field = fieldOf(options);
   if (!field) return Error{field.error()};
@@ -131,7 +154,7 @@ Status play(const Options& options) {
     if (!socket) return Error{socket.error()};
     desk.emplace(std::move(*socket), options.controller);
   }
-  auto agents = gatherAgents(*listener, options.robots, options.wait, cli::interrupted);
+  auto agents = allAgents(options, *listener);
   if (!agents) return Error{agents.error()};
   std::vector<host::AgentHello> hellos;
   for (const Agent& agent : *agents) hellos.push_back(agent.hello);
@@ -154,7 +177,15 @@ Status play(const Options& options) {
 
 void describe(cli::CommandLine& app, Options& options) {
   app.option("--socket", options.socket, "Unix socket the agents come to").required();
-  app.option("--robots", options.robots, "agents to wait for").check(cli::integerInRange(1, 8));
+  app.option("--robots", options.robots, "agents to wait for").check(cli::integerInRange(0, 8));
+  app.option("--stranger", options.strangers,
+             "TEAM:PLAYER whose agent is somebody else's program and comes to SOCKET-red-1 and so "
+             "on; nothing that it does stops the match");
+  app.option("--agent-limit", options.agentLimit,
+             "seconds of real time that such an agent has for each answer")
+      .check(cli::inRange(0.001, 60.0));
+  app.option("--agent-wait", options.agentWait, "seconds until such an agent must be there")
+      .check(cli::inRange(0.0, 1e5));
   app.option("--game-controller", options.controller,
              "a game controller at this UDP port rules in place of the world's referee")
       .check(cli::integerInRange(1, 65535));

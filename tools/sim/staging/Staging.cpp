@@ -274,6 +274,11 @@ Expected<RobotCarry> carryFrom(const std::string& words) {
   return RobotCarry{time[0], place->robot, place->pose};
 }
 
+std::optional<host::AgentHello> robotFrom(const std::string& words) {
+  const std::vector<std::string> parts = partsOf(words);
+  return parts.size() == 2 ? robotOf(parts[0], parts[1]) : std::nullopt;
+}
+
 Expected<Staging> stagingFrom(const StagingWords& words) {
   Staging staging;
   for (const std::string& one : words.places) {
@@ -302,8 +307,7 @@ Expected<Staging> stagingFrom(const StagingWords& words) {
     staging.carries.push_back(*carry);
   }
   for (const std::string& one : words.deaf) {
-    const std::vector<std::string> parts = partsOf(one);
-    const auto robot = parts.size() == 2 ? robotOf(parts[0], parts[1]) : std::nullopt;
+    const auto robot = robotFrom(one);
     if (!robot) return Error{"'" + one + "': who is deaf is TEAM:PLAYER, as in red:2"};
     staging.deaf.push_back(*robot);
   }

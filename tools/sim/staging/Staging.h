@@ -37,6 +37,7 @@ Expected<Ball> ballFrom(const std::string& words);
 Expected<BallThrow> throwFrom(const std::string& words);
 Expected<BallTake> takeFrom(const std::string& words);
 Expected<RobotCarry> carryFrom(const std::string& words);
+std::optional<host::AgentHello> robotFrom(const std::string& words);  // TEAM:PLAYER
 
 // Whether the ball may be put there, and that robot carried there; an error says why not.
 Status checkBall(const body::FieldDescription& field, const Ball& ball);

@@ -66,6 +66,40 @@ Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t 
   return agents;
 }
 
+Expected<std::vector<Agent>> openStrangers(const std::string& socket,
+                                           const std::vector<host::AgentHello>& robots,
+                                           double limit) {
+  std::vector<Agent> strangers;
+  for (const host::AgentHello& robot : robots) {
+    std::string name = nameOf(robot);
+    std::replace(name.begin(), name.end(), ' ', '-');
+    auto place = Stranger::open(socket + "-" + name, robot, limit);
+    if (!place) return Error{place.error()};
+    Agent agent{host::Connection(-1, {}), robot};
+    agent.stranger = std::make_unique<Stranger>(std::move(*place));
+    strangers.push_back(std::move(agent));
+  }
+  return strangers;
+}
+
+void addStrangers(std::vector<Agent> strangers, double seconds,
+                  const std::function<bool()>& stopped, std::vector<Agent>& agents) {
+  constexpr double kPatience = 0.02;  // s, for each
+  const auto isMissing = [](const Agent& agent) { return !agent.stranger->present(); };
+  const auto begun = std::chrono::steady_clock::now();
+  const auto waited = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  };
+  while (std::any_of(strangers.begin(), strangers.end(), isMissing) && waited() < seconds &&
+         !(stopped && stopped()))
+    for (Agent& agent : strangers) agent.stranger->look(kPatience);
+  for (Agent& agent : strangers) {
+    agent.stranger->absent(seconds);
+    agents.push_back(std::move(agent));
+  }
+  std::sort(agents.begin(), agents.end(), before);
+}
+
 Server::Server(World& world, std::vector<Agent>& agents, LogWriter* log, ServerHooks hooks)
     : world_(world), agents_(agents), log_(log), hooks_(std::move(hooks)), pool_(cores()) {
   for (std::size_t i = 0; i < agents_.size(); ++i) outboxes_.push_back(std::make_unique<Outbox>());
@@ -106,7 +140,7 @@ void Server::prepare(Step step) {
         out.sensors[tick] = host::rawOf(world_.sensors(i)[tick]);
       out.batteryCurrent = world_.batteryCurrent(i);
       out.batteryCharge = world_.batteryCharge(i);
-      out.vectorsDone = world_.bodies().takeVectorsDone(i);
+      out.vectorsDone = takeVectorsDone(i);
     }
     out.packets = world_.takePackets(i);
     encode(out, step.messages.emplace_back());
@@ -117,6 +151,16 @@ void Server::prepare(Step step) {
   images_ += step.image ? 1 : 0;
   over_ = world_.finished();
   open_.push_back(std::move(step));
+}
+
+// One that is late is told when it gets steps again, for it may count those under way.
+std::uint32_t Server::takeVectorsDone(std::size_t robot) {
+  std::uint32_t done = world_.bodies().takeVectorsDone(robot);
+  if (!agents_[robot].stranger) return done;
+  Stranger& stranger = *agents_[robot].stranger;
+  done += std::exchange(stranger.vectorsDone, 0);
+  if (!stranger.takesSteps()) stranger.vectorsDone = done;
+  return done;
 }
 
 // To the next image, unless bodies need an answer before. Steps on the way are prepared.
@@ -137,19 +181,29 @@ Status Server::moveAhead() {
 // Who gets it: from here on whoever is lost or comes changes nothing of that.
 void Server::begin(Step& step) {
   if (hooks_.beforeStep) hooks_.beforeStep(step.now);
-  for (const Agent& agent : agents_) step.lives.push_back(agent.present ? agent.life : kNobody);
+  for (const Agent& agent : agents_) {
+    step.lives.push_back(agent.takesSteps() ? agent.lifeNow() : kNobody);
+    if (agent.stranger && agent.takesSteps()) agent.stranger->owe();
+  }
   step.sent.assign(agents_.size(), Done{});
 }
 
 Status Server::sendTo(std::size_t robot, const Step& step) {
   if (step.lives[robot] == kNobody) return Done{};
   host::Connection& connection = agents_[robot].connection;
+  Stranger* const stranger = agents_[robot].stranger.get();
   const std::vector<std::uint8_t>& message = step.messages[robot];
+  if (stranger != nullptr) stranger->send(host::MessageType::step, message);
+  if (!step.image && stranger != nullptr) return Done{};
   if (!step.image) return connection.send(host::MessageType::step, message);
   Outbox& out = *outboxes_[robot];
   world_.render(robot, exposed_, step.now, out.image);
   out.buffer.resize(encodedSize(out.image));  // the same each time, so that nothing is cleared
   encodeTo(out.image, out.buffer.data());
+  if (stranger != nullptr) {
+    stranger->send(host::MessageType::image, out.buffer);
+    return Done{};
+  }
   return connection.send(host::MessageType::step, message, host::MessageType::image, out.buffer);
 }
 
@@ -168,14 +222,32 @@ Status Server::takeReply(std::size_t robot) {
     return refuse(robot, "its reply cannot be decoded");
   std::string why;
   if (!verify(reply, &why)) return refuse(robot, "its reply is refused: " + why);
+  obey(robot, reply);
+  return Done{};
+}
+
+void Server::obey(std::size_t robot, const host::AgentReply& reply) {
   world_.bodies().command(robot, reply);
   if (!reply.packet.bytes.empty()) world_.send(robot, reply.packet);
-  return Done{};
+}
+
+// A stranger's; no trouble of it is one of the match.
+void Server::takeAnswers(std::size_t robot, const Step& step) {
+  Stranger& stranger = *agents_[robot].stranger;
+  stranger.hear(step.now, step.lives[robot] == stranger.life(),
+                [&](const host::AgentReply& reply) { obey(robot, reply); });
+  tellNews(stranger);
+}
+
+void Server::tellNews(Stranger& stranger) {
+  for (const std::string& line : stranger.takeNews())
+    if (hooks_.tell) hooks_.tell(line);
 }
 
 Status Server::takeReplies(const Step& step) {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
-    if (!agents_[i].present || agents_[i].life != step.lives[i]) continue;
+    if (agents_[i].stranger) takeAnswers(i, step);
+    if (agents_[i].stranger || !agents_[i].present || agents_[i].life != step.lives[i]) continue;
     const Status got = step.sent[i] ? takeReply(i) : step.sent[i];
     const Status borne = got ? got : lose(i, got.error());
     if (!borne) return borne;
@@ -200,7 +272,7 @@ Status Server::lose(std::size_t robot, const std::string& why) {
 
 bool Server::takesPlace(Agent& agent) {
   const std::size_t robot = placeOf(agent.hello, agents_);
-  if (robot == agents_.size() || agents_[robot].present) return false;
+  if (robot == agents_.size() || agents_[robot].present || agents_[robot].stranger) return false;
   const int life = agents_[robot].life + 1;
   const std::string lost = std::move(agents_[robot].lost);
   agents_[robot] = std::move(agent);
@@ -218,8 +290,18 @@ void Server::welcome() {
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), leaves), waiting_.end());
 }
 
+void Server::lookForStrangers() {
+  for (const Agent& agent : agents_) {
+    if (!agent.stranger) continue;
+    agent.stranger->look(0.0);
+    tellNews(*agent.stranger);
+  }
+}
+
+// For a stranger nobody waits.
 bool Server::isAnybodyThere() const {
-  return std::any_of(agents_.begin(), agents_.end(), [](const Agent& a) { return a.present; });
+  return std::any_of(agents_.begin(), agents_.end(),
+                     [](const Agent& a) { return a.present || a.stranger; });
 }
 
 // With nobody there a match would be over before the first agent has started again.
@@ -245,7 +327,15 @@ void Server::sayGoodbye(std::uint8_t reason) {
   buffer_.clear();
   encode(host::Goodbye{reason}, buffer_);
   // The agent may be gone already: what it misses is of no use to it.
-  for (Agent& agent : agents_) (void)agent.connection.send(host::MessageType::goodbye, buffer_);
+  for (Agent& agent : agents_) {
+    if (!agent.stranger) {
+      (void)agent.connection.send(host::MessageType::goodbye, buffer_);
+      continue;
+    }
+    agent.stranger->send(host::MessageType::goodbye, buffer_);
+    const auto lateness = agent.stranger->lateness();
+    if (lateness && hooks_.tell) hooks_.tell(*lateness);
+  }
 }
 
 bool Server::ends() const { return over_ || (hooks_.stopped && hooks_.stopped()); }
@@ -257,6 +347,7 @@ bool Server::isThere(const Step& step) const {
 // Nothing is being sent: who comes may take a place.
 Status Server::startNext() {
   if (hooks_.arrival) waitForSomebody();
+  lookForStrangers();
   if (hooks_.hear) hooks_.hear();
   const Status moved = moveTo(nextStep().now);
   if (!moved) return moved;

@@ -15,6 +15,7 @@
 
 #include "robot/core/log/LogWriter.h"
 #include "robot/host/world/Connection.h"
+#include "tools/sim/world/Stranger.h"
 #include "tools/sim/world/ThreadPool.h"
 #include "tools/sim/world/World.h"
 
@@ -26,6 +27,11 @@ struct Agent {
   bool present = true;
   int life = 0;        // which of those that came by this name
   std::string lost{};  // why, if it is no longer present
+  // Of a robot that somebody else's program plays, in place of the connection.
+  std::unique_ptr<Stranger> stranger{};
+
+  bool takesSteps() const { return stranger ? stranger->takesSteps() : present; }
+  int lifeNow() const { return stranger ? stranger->life() : life; }
 };
 
 // The next agent that comes to an open socket within that time.
@@ -36,6 +42,14 @@ Expected<Agent> nextAgent(host::Listener& listener, double seconds);
 Expected<std::vector<Agent>> gatherAgents(host::Listener& listener, std::size_t count,
                                           double seconds,
                                           const std::function<bool()>& stopped = {});
+
+// Opens a place for each of those robots, at SOCKET-red-1 and so on.
+Expected<std::vector<Agent>> openStrangers(const std::string& socket,
+                                           const std::vector<host::AgentHello>& robots,
+                                           double limit);
+// Waits at most so long for their agents, and adds their robots to the others in their order.
+void addStrangers(std::vector<Agent> strangers, double seconds,
+                  const std::function<bool()>& stopped, std::vector<Agent>& agents);
 
 // What else hears of a match while it is played; each may be empty.
 struct ServerHooks {
@@ -87,6 +101,11 @@ class Server {
   bool isThere(const Step& step) const;
   bool ends() const;
   Status takeReply(std::size_t robot);
+  void takeAnswers(std::size_t robot, const Step& step);
+  void obey(std::size_t robot, const host::AgentReply& reply);
+  std::uint32_t takeVectorsDone(std::size_t robot);
+  void lookForStrangers();
+  void tellNews(Stranger& stranger);
   Status refuse(std::size_t robot, const std::string& why);
   Status lose(std::size_t robot, const std::string& why);
   bool takesPlace(Agent& agent);
