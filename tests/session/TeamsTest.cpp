@@ -50,6 +50,16 @@ TEST(Teams, WithoutRobotsOfItsOwnTheOtherTeamIsWatched) {
   EXPECT_EQ("red", played("3v0", blue).team);
 }
 
+TEST(Teams, OfStrangersAndKelpiesRobotsOneOfKelpiesIsWatched) {
+  SessionOptions strangers;
+  strangers.redAgent = "true";
+  EXPECT_EQ("blue", played("4v4", strangers).team);
+  EXPECT_EQ("red", played("4v0", strangers).team);
+  EXPECT_FALSE(played("4v0", strangers).watchesKelpie());
+  strangers.blueAgent = "true";
+  EXPECT_EQ("red", played("4v4", strangers).team);
+}
+
 TEST(Teams, NoTwoRobotsLoseTheSameImages) {
   const SessionOptions options = played("4v4");
   for (const OtherRobot& one : options.others)

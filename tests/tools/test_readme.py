@@ -74,7 +74,7 @@ def place_of_a_reader(match, tmp_path_factory):
     """A folder like the root of the source tree after tools/run; all of the commands run in it."""
     place = tmp_path_factory.mktemp("readme")
     (place / "out").mkdir()
-    for folder in ("pycode", "teams"):
+    for folder in ("pycode", "teams", "examples"):
         (place / folder).symlink_to(ROOT / folder)
     shutil.copy(match, place / "out/match.mcap")
     (place / "keys.txt").write_text("0.2 w\n1 x\n")

@@ -48,6 +48,15 @@ void rememberInterrupt(int) { interruptSeen = 1; }
   _exit(127);
 }
 
+// Of a program of somebody else's: whatever it starts belongs to it, it reads nothing, and it
+// writes no results. As above.
+void setApart() {
+  setpgid(0, 0);
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (nothing >= 0) dup2(nothing, STDIN_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+}
+
 // Both ends are closed but for what is taken out.
 struct Pipe {
   int ends[2] = {-1, -1};  // to read from, and to write to
@@ -78,10 +87,18 @@ std::vector<std::string> wordsOfStat(pid_t pid, bool ended) {
 
 Expected<Process> Process::start(const std::vector<std::string>& argv, bool readOutput,
                                  bool hears) {
+  return start(argv, Ways{readOutput, hears, false});
+}
+
+Expected<Process> Process::startGroup(const std::vector<std::string>& argv) {
+  return start(argv, Ways{false, false, true});
+}
+
+Expected<Process> Process::start(const std::vector<std::string>& argv, const Ways& ways) {
   if (access(argv[0].c_str(), X_OK) != 0)
     return Error{argv[0] + ": no such program; build it with tools/build host"};
   Pipe output, input;
-  if ((readOutput && !output.open()) || (hears && !input.open()))
+  if ((ways.readOutput && !output.open()) || (ways.hears && !input.open()))
     return Error{std::string("pipe: ") + std::strerror(errno)};
   std::vector<char*> words;
   words.reserve(argv.size() + 1);
@@ -89,16 +106,19 @@ Expected<Process> Process::start(const std::vector<std::string>& argv, bool read
   words.push_back(nullptr);
   const pid_t parent = getpid();
   const pid_t pid = fork();
+  if (pid == 0 && ways.group) setApart();
   if (pid == 0) becomeProgram(words.data(), input.ends[0], output.ends[1], parent);
   if (pid < 0) return Error{std::string("fork: ") + std::strerror(errno)};
-  if (hears) fcntl(input.ends[1], F_SETFL, O_NONBLOCK);
-  return Process(pid, std::exchange(output.ends[0], -1), std::exchange(input.ends[1], -1));
+  if (ways.hears) fcntl(input.ends[1], F_SETFL, O_NONBLOCK);
+  return Process(pid, std::exchange(output.ends[0], -1), std::exchange(input.ends[1], -1),
+                 ways.group);
 }
 
 Process::Process(Process&& other) noexcept
     : pid_(std::exchange(other.pid_, -1)),
       output_(std::exchange(other.output_, -1)),
       input_(std::exchange(other.input_, -1)),
+      group_(other.group_),
       ended_(other.ended_),
       code_(other.code_),
       pending_(std::move(other.pending_)) {}
@@ -139,6 +159,17 @@ bool Process::readLine(std::string& line, int milliseconds) {
   }
 }
 
+// Those that the leader of a group has left behind go first, while its number is still its own.
+bool Process::endsGroup(int options) const {
+  siginfo_t info = {};
+  if (!group_) return true;
+  if (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT | options) != 0 ||
+      info.si_pid != pid_)
+    return false;
+  ::kill(-pid_, SIGKILL);
+  return true;
+}
+
 void Process::reap(int status) {
   ended_ = true;
   code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
@@ -146,12 +177,14 @@ void Process::reap(int status) {
 
 bool Process::ended() {
   int status = 0;
-  if (!ended_ && waitpid(pid_, &status, WNOHANG) == pid_) reap(status);
+  if (!ended_ && endsGroup(WNOHANG) && waitpid(pid_, &status, WNOHANG) == pid_) reap(status);
   return ended_;
 }
 
 int Process::wait() {
   int status = 0;
+  while (!ended_ && !endsGroup(0) && errno == EINTR) {
+  }
   while (!ended_ && waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }
   if (!ended_) reap(status);
@@ -176,7 +209,7 @@ void Process::terminate() {
 }
 
 void Process::kill() {
-  if (!ended_) ::kill(pid_, SIGKILL);
+  if (!ended_) ::kill(group_ ? -pid_ : pid_, SIGKILL);
 }
 
 void catchInterrupts() {

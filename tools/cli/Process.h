@@ -14,6 +14,9 @@ namespace kelpie::cli {
 
 class Process {
  public:
+  // A program of somebody else's, which may start others: kill() and the end of the object reach
+  // them all. It hears nothing, and what it prints goes to standard error.
+  static Expected<Process> startGroup(const std::vector<std::string>& argv);
   // argv[0] is the program's path. With `readOutput` all that it prints goes to readLine(), with
   // `hears` its standard input is what is given to say().
   static Expected<Process> start(const std::vector<std::string>& argv, bool readOutput,
@@ -36,12 +39,20 @@ class Process {
   void kill();              // stops it
 
  private:
-  Process(pid_t pid, int output, int input) : pid_(pid), output_(output), input_(input) {}
+  // How a child is started.
+  struct Ways {
+    bool readOutput = false, hears = false, group = false;
+  };
+  static Expected<Process> start(const std::vector<std::string>& argv, const Ways& ways);
+  Process(pid_t pid, int output, int input, bool group)
+      : pid_(pid), output_(output), input_(input), group_(group) {}
+  bool endsGroup(int options) const;
   void reap(int status);
 
   pid_t pid_ = -1;
   int output_ = -1;
   int input_ = -1;
+  bool group_ = false;  // the child leads a group of processes
   bool ended_ = false;
   int code_ = 0;
   std::string pending_;

@@ -169,6 +169,18 @@ void forgetParts(const std::string& folder) {
   fs::remove_all(fs::path(folder) / "playing", ignored);
 }
 
+Expected<std::vector<JoinedLog>> joinWithoutWatched(const std::string& folder,
+                                                    const std::string& log) {
+  const std::string world = (fs::path(folder) / "playing/world.mcap").string();
+  const auto kept = mergeLogs({world}, log, false);
+  if (!kept) return Error{kept.error()};
+  auto joined = joinParts(folder);
+  if (!joined) return joined;
+  joined->push_back({log, *kept});
+  forgetParts(folder);
+  return joined;
+}
+
 Expected<std::vector<JoinedLog>> joinParts(const std::string& folder) {
   const fs::path playing = fs::path(folder) / "playing";
   std::vector<JoinedLog> joined;

@@ -59,6 +59,9 @@ struct JoinedLog {
 // Joins each robot's log in FOLDER/playing with the world's into FOLDER, and removes `playing` when
 // all are joined. An error leaves all parts as they are.
 Expected<std::vector<JoinedLog>> joinParts(const std::string& folder);
+// The same of a match in which nobody logged the watched robot: its log is the world's alone.
+Expected<std::vector<JoinedLog>> joinWithoutWatched(const std::string& folder,
+                                                    const std::string& log);
 // Removes `playing`, of a match that never began.
 void forgetParts(const std::string& folder);
 

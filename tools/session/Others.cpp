@@ -13,6 +13,7 @@ namespace kelpie::cli {
 Expected<Others> Others::start(const SessionOptions& options, const RunDirectory& runDirectory) {
   Others others;
   for (const OtherRobot& one : options.others) {
+    if (!options.strangerOf(one.team).empty()) continue;
     const auto command = [&options, &runDirectory, one](int life) {
       return otherCommand(options, one, runDirectory, life);
     };

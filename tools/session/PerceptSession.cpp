@@ -34,6 +34,7 @@ const char* lackOf(const SessionOptions& options) {
   if (options.realTime || options.orders || options.live) return "no real time and no studio";
   if (options.controller != 0) return "no game controller";
   if (options.radio == "udp") return "no radio but the world's";
+  if (!options.redAgent.empty() || !options.blueAgent.empty()) return "no agents of strangers";
   if (options.respawn) return "no agents that are started again";
   if (options.dropRate > 0.0) return "no images that are lost";
   if (!options.artefactsOff.empty()) return "no camera artefacts";

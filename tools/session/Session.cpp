@@ -22,6 +22,7 @@
 #include "tools/session/Others.h"
 #include "tools/session/PerceptSession.h"
 #include "tools/session/SessionCommands.h"
+#include "tools/session/Strangers.h"
 
 namespace kelpie::cli {
 namespace {
@@ -132,8 +133,9 @@ struct Processes {
   const SessionOptions& options;
   const RunDirectory& runDirectory;
   Process& world;
-  std::optional<Process>& agent;
+  std::optional<Process>& agent;  // of the robot that is watched; none: it is a stranger's
   Others& others;
+  Strangers& strangers;
   int life = 0;  // of the agent
   WorldTalk worldSaid;
   AgentTalk agentSaid;
@@ -170,8 +172,11 @@ bool endsSoon(Process& world) {
 
 void hearAll(int milliseconds, const SessionTalk& talk, Processes& processes) {
   std::string line;
-  if (processes.agent->readLine(line, milliseconds)) processes.agentSaid.hear(line, talk);
-  while (processes.world.readLine(line, 0)) processes.worldSaid.hear(line, talk);
+  if (processes.agent && processes.agent->readLine(line, milliseconds))
+    processes.agentSaid.hear(line, talk);
+  for (int wait = processes.agent ? 0 : milliseconds; processes.world.readLine(line, wait);
+       wait = 0)
+    processes.worldSaid.hear(line, talk);
   processes.others.hear([&](const std::string& said) { tell(said, talk); });
   if (!talk.orders) return;
   for (std::string order = talk.orders(); !order.empty(); order = talk.orders())
@@ -204,6 +209,7 @@ void hearLast(int code, const SessionTalk& talk, Processes& processes) {
 // Starts the watched agent again if it died while the match goes on; after a script that hung
 // also without being asked to.
 bool reviveAgent(const SessionTalk& talk, Processes& processes) {
+  if (!processes.agent) return false;
   const int code = processes.agent->wait();
   hearLast(code, talk, processes);
   const bool may = processes.options.respawn || code == behaviour::kHungExit;
@@ -224,34 +230,39 @@ Ends waitForAll(const SessionTalk& talk, Processes& processes) {
   Ends ends;
   bool asked = false;
   Patience patience;
-  while (!processes.agent->ended() || reviveAgent(talk, processes)) {
+  Process& last = processes.agent ? *processes.agent : processes.world;
+  while (!last.ended() || reviveAgent(talk, processes)) {
     hearAll(50, talk, processes);
     watchOthers(talk, processes, ends);
+    processes.strangers.revive([&](const std::string& said) { tell(said, talk); });
     if (!asked && (interrupted() || (talk.over && talk.over()))) {
       asked = true;
       processes.world.terminate();  // it ends the match, and with it the agents
     }
-    if ((asked || processes.world.ended()) && !ends.stuck && patience.ended(*processes.agent)) {
+    if ((asked || processes.world.ended()) && !ends.stuck && patience.ended(last)) {
       ends.stuck = true;
-      ends.busy = patience.wasBusy(*processes.agent);
-      ends.stopped = processes.agent->stopped();
-      processes.agent->kill();
+      ends.busy = patience.wasBusy(last);
+      ends.stopped = last.stopped();
+      last.kill();
       processes.others.kill();
     }
   }
-  ends.agent = processes.agent->wait();
+  ends.agent = processes.agent ? processes.agent->wait() : 0;
   if (ends.agent == 1) watchOthers(talk, processes, ends);
   ends.worldAlive = ends.agent == 1 ? !endsSoon(processes.world) : !processes.world.ended();
   if (ends.worldAlive && ends.agent != 0) processes.world.terminate();
   ends.world = processes.world.wait();
   std::string line;
-  while (processes.agent->readLine(line, 0)) processes.agentSaid.hear(line, talk);
+  while (processes.agent && processes.agent->readLine(line, 0))
+    processes.agentSaid.hear(line, talk);
   hearAll(0, talk, processes);
+  processes.strangers.end();
   return ends;
 }
 
 // A script is blamed only where one is asked in each frame and the agent computed on and on.
 std::string stuckHow(const Ends& ends, const Processes& processes) {
+  if (!processes.agent) return "the world did not end and was killed";
   if (ends.stopped) return "the agent was stopped by a signal, and was killed";
   if (processes.agentSaid.last.empty()) return "the agent had not begun to play and was killed";
   const bool script = ends.busy && processes.options.driver.empty();
@@ -290,8 +301,10 @@ void keepLog(const SessionOptions& options, const SessionTalk& talk, SessionResu
   const std::string folder = fs::path(options.log).parent_path().string();
   if (result.badInput) return forgetParts(folder);
   const Status ready = talk.logs ? talk.logs() : Status(Done{});
-  const auto joined =
-      ready ? joinParts(folder) : Expected<std::vector<JoinedLog>>(Error{ready.error()});
+  const auto join = [&] {
+    return options.watchesKelpie() ? joinParts(folder) : joinWithoutWatched(folder, options.log);
+  };
+  const auto joined = ready ? join() : Expected<std::vector<JoinedLog>>(Error{ready.error()});
   if (joined) {
     for (const JoinedLog& log : *joined) result.logs.push_back(log.path);
     if (joined->empty()) result.logTrouble = folder + "/playing: its logs are gone";
@@ -364,18 +377,27 @@ void playPercepts(const SessionOptions& options, const SessionTalk& talk,
   handOn(options, talk, runDirectory, result);
 }
 
+// Nobody's when it is a stranger that plays the robot.
+Expected<std::optional<Process>> watchedAgent(const SessionOptions& options,
+                                              const RunDirectory& runDirectory) {
+  if (!options.watchesKelpie()) return std::optional<Process>();
+  auto agent = Process::start(agentCommand(options, runDirectory), true);
+  if (!agent) return Error{agent.error()};
+  return std::optional<Process>(std::move(*agent));
+}
+
 void play(const SessionOptions& options, const SessionTalk& talk, const RunDirectory& runDirectory,
           SessionResult& result) {
   auto world = Process::start(worldCommand(options, runDirectory), true, options.orders);
-  auto agent = Process::start(agentCommand(options, runDirectory), true);
+  auto agent = watchedAgent(options, runDirectory);
   auto others = Others::start(options, runDirectory);
   if (!world || !agent || !others) {
     result.trouble = !world ? world.error() : !agent ? agent.error() : others.error();
     return;
   }
+  Strangers strangers = Strangers::start(options, runDirectory, *world);
   const bool blue = options.team == "blue";
-  std::optional<Process> watched(std::move(*agent));
-  Processes processes{options, runDirectory, *world, watched, *others, 0, {blue, {}}, {}};
+  Processes processes{options, runDirectory, *world, *agent, *others, strangers, 0, {blue, {}}, {}};
   watch(watchLogs(options, talk, result), processes, result);
   handOn(options, talk, runDirectory, result);
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/session/SessionCommands.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tools/cli/Process.h"
+#include "tools/session/Teams.h"
 
 namespace kelpie::cli {
 namespace {
@@ -60,9 +62,44 @@ Words anyAgent(const SessionOptions& options, const std::string& team, std::uint
 
 }  // namespace
 
+std::vector<host::AgentHello> strangersOf(const SessionOptions& options) {
+  std::vector<host::AgentHello> robots = robotsOf(options);
+  const auto isKelpie = [&](const host::AgentHello& robot) {
+    return (robot.team == TeamColour::red ? options.redAgent : options.blueAgent).empty();
+  };
+  robots.erase(std::remove_if(robots.begin(), robots.end(), isKelpie), robots.end());
+  return robots;
+}
+
+std::string strangerSocket(const host::AgentHello& robot, const RunDirectory& runDirectory) {
+  std::string name = "world-" + sim::nameOf(robot);
+  std::replace(name.begin(), name.end(), ' ', '-');
+  return runDirectory.path(name.c_str());
+}
+
+Words strangerCommand(const SessionOptions& options, const host::AgentHello& robot,
+                      const RunDirectory& runDirectory) {
+  const std::string team = robot.team == TeamColour::red ? "red" : "blue";
+  return {"/usr/bin/env",
+          "-u",
+          "GLIBC_TUNABLES",  // of Kelpie's own programs (Process.h, useTargetMaths)
+          "KELPIE_SOCKET=" + strangerSocket(robot, runDirectory),
+          "KELPIE_TEAM=" + team,
+          "KELPIE_PLAYER=" + std::to_string(robot.player),
+          "/bin/sh",
+          "-c",
+          options.strangerOf(team)};
+}
+
 Words worldCommand(const SessionOptions& options, const RunDirectory& runDirectory) {
+  const std::vector<host::AgentHello> strangers = strangersOf(options);
   Words argv = {programFolder() + "/kelpie-world", "--socket", runDirectory.path("world"),
-                "--robots", std::to_string(1 + options.others.size())};
+                "--robots", std::to_string(1 + options.others.size() - strangers.size())};
+  for (const host::AgentHello& robot : strangers)
+    argv.insert(argv.end(), {"--stranger", sim::wordsFor(robot)});
+  if (!strangers.empty())
+    argv.insert(argv.end(), {"--agent-limit", std::to_string(options.agentLimit), "--agent-wait",
+                             std::to_string(options.agentWait)});
   addMatch(options, runDirectory, argv);
   if (options.controller != 0)
     argv.insert(argv.end(), {"--game-controller", std::to_string(options.controller)});

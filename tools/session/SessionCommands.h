@@ -12,6 +12,13 @@ std::vector<std::string> worldCommand(const SessionOptions& options,
 // What of it does not depend on how its agents come by.
 void addMatch(const SessionOptions& options, const RunDirectory& runDirectory,
               std::vector<std::string>& argv);
+// Of somebody else's program (examples/agent/README.md), and the socket that it comes to.
+std::vector<std::string> strangerCommand(const SessionOptions& options,
+                                         const host::AgentHello& robot,
+                                         const RunDirectory& runDirectory);
+std::string strangerSocket(const host::AgentHello& robot, const RunDirectory& runDirectory);
+// The robots of a session that such programs play.
+std::vector<host::AgentHello> strangersOf(const SessionOptions& options);
 // Of the robot that is watched.
 std::vector<std::string> agentCommand(const SessionOptions& options,
                                       const RunDirectory& runDirectory, int life = 0);

@@ -63,6 +63,11 @@ struct SessionOptions {
   bool live = false;      // logs are written so that who watches reads each message at once
   bool orders = false;    // the world hears SessionTalk::orders, and agents wait while it stands
   std::string driver;     // socket of who drives the robot; empty: the behaviours play
+  // Commands that start somebody else's program for each robot of the team in place of Kelpie's
+  // agent (Strangers.h); empty: none.
+  std::string redAgent, blueAgent;
+  double agentLimit = 0.5;  // s of real time that it has for an answer
+  double agentWait = 10.0;  // s until it must be there
   std::vector<OtherRobot> others;
   std::vector<std::string> notes;  // "red=kelpie", kept in the log: whose teams play
   sim::Staging staging;            // places and throws beside the scenario's
@@ -70,6 +75,11 @@ struct SessionOptions {
   bool keepAll = false;     // and of those of all other robots
   bool keepTruth = false;   // the same with the world's log alone; the agent's is no file then
 
+  const std::string& strangerOf(const std::string& ofTeam) const {
+    return ofTeam == "red" ? redAgent : blueAgent;
+  }
+  // Whether Kelpie plays the robot that is watched: otherwise nothing is known of what it believes.
+  bool watchesKelpie() const { return strangerOf(team).empty(); }
   bool keepsLog() const { return !log.empty() || keepFrames; }
 };
 

@@ -42,6 +42,15 @@ void watch(const OtherRobot& robot, SessionOptions& options) {
   options.set = robot.set;
 }
 
+// A team without robots cannot be watched; of strangers nobody knows what they believe.
+std::string watchedTeam(const TeamPlan& plan, const SessionOptions& options) {
+  const std::string other = options.team == "red" ? "blue" : "red";
+  const auto count = [&](const std::string& team) { return team == "red" ? plan.red : plan.blue; };
+  if (count(options.team) == 0) return other;
+  const bool tells = options.strangerOf(options.team).empty();
+  return tells || count(other) == 0 || !options.strangerOf(other).empty() ? options.team : other;
+}
+
 }  // namespace
 
 Expected<TeamPlan> teamPlan(const std::string& robots) {
@@ -58,10 +67,8 @@ Status useTeams(const TeamPlan& plan, SessionOptions& options) {
   if (!red) return red;
   const Status blue = addTeam("blue", plan.blue, plan.blueFolder, options, robots);
   if (!blue) return blue;
-  const int own = options.team == "red" ? plan.red : plan.blue;
-  const int other = options.team == "red" ? plan.blue : plan.red;
-  const std::string team = own > 0 ? options.team : options.team == "red" ? "blue" : "red";
-  const int player = std::min(2, own > 0 ? own : other);
+  const std::string team = watchedTeam(plan, options);
+  const int player = std::min(2, team == "red" ? plan.red : plan.blue);
   const auto watched = std::find_if(robots.begin(), robots.end(), [&](const OtherRobot& robot) {
     return robot.team == team && robot.player == player;
   });

@@ -26,8 +26,8 @@ struct TeamPlan {
 Expected<TeamPlan> teamPlan(const std::string& robots);
 
 // Makes them the robots of the session, by the rules from a kick-off. The one that is watched and
-// logged is the first forward of `options.team`, or of the other one when that is empty. An error
-// names a folder that holds neither behaviours nor parameters.
+// logged is the first forward of `options.team`, or of the other one when that is empty or only
+// that is Kelpie's. An error names a folder that holds neither behaviours nor parameters.
 Status useTeams(const TeamPlan& plan, SessionOptions& options);
 
 // Of which year the rules of holding are, for referee and behaviours alike, before useTeams(): 2006

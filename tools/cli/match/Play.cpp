@@ -15,6 +15,7 @@
 #include "tools/cli/Progress.h"
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/log/Logs.h"
+#include "tools/cli/match/StrangerOptions.h"
 #include "tools/cli/match/Watch.h"
 #include "tools/cli/options/Config.h"
 #include "tools/cli/options/StagingOptions.h"
@@ -105,6 +106,7 @@ std::string describeLog(const PlayOptions& options, double seconds) {
   const auto log = [&](const std::string& images) {
     return fmt::format("log, {:.0f} MB: {}", megabytes, images);
   };
+  if (!options.session.watchesKelpie()) return log("what the world saw, for no robot told more");
   if (options.session.percepts) return log("no images");
   if (options.session.images == ImagesKept::planes)
     return log(fmt::format("a class plane in {} frames", kPlaneEvery));
@@ -187,9 +189,11 @@ void addNames(PlayOptions& options) {
   for (const char* team : {"red", "blue"}) {
     const bool other = keeper && session.team != team;
     const std::string& folder = std::string(team) == "red" ? options.red : options.blue;
-    if (plays(team))
-      session.notes.push_back(std::string(team) + "=" +
-                              (other ? keeps : nameOf(folder, session.pycode)));
+    const std::string& command = session.strangerOf(team);
+    const std::string name = !command.empty() ? programIn(command)
+                             : other          ? keeps
+                                              : nameOf(folder, session.pycode);
+    if (plays(team)) session.notes.push_back(std::string(team) + "=" + name);
   }
 }
 
@@ -319,6 +323,9 @@ Status prepare(PlayOptions& options) {
   addOpponent(options);
   const Status teams = addTeams(options);
   if (!teams) return teams;
+  const Status strangers = checkStrangers(options.session);
+  if (!strangers) return strangers;
+  options.noFilm = options.noFilm || !options.session.watchesKelpie();
   addNames(options);
   const Status controlled = addController(options);
   if (!controlled) return controlled;
@@ -334,7 +341,8 @@ int tellMatch(const PlayOptions& options, const SessionResult& result, double to
     return fail(result.trouble, result.badInput      ? kExitBadInput
                                 : result.interrupted ? kExitInterrupted
                                                      : kExitMachine);
-  const int pictures = result.logged ? makePictures(options, result.logs) : kExitDone;
+  const bool drawn = result.logged && options.session.watchesKelpie();
+  const int pictures = drawn ? makePictures(options, result.logs) : kExitDone;
   nameFiles(options, result.seconds);
   if (options.session.allLogs) nameLogs(options, result.logs);
   if (options.session.rules && result.logged) tellWorth(options);
@@ -529,6 +537,7 @@ void addPlay(CommandLine& app, int& code) {
                "No faster than a clock, and until Ctrl-C unless --seconds or --goals say "
                "otherwise: for editing pycode/ while it plays");
   addTeamOptions(command, *options);
+  addStrangerOptions(command, session);
   addWatchOptions(command, options->watched);
   command.flag("--no-film", options->noFilm, "Leave out match.mp4");
   addSceneOption(command, *options);

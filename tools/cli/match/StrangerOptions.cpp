@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cli/match/StrangerOptions.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "tools/session/SessionCommands.h"
+
+namespace kelpie::cli {
+
+void addStrangerOptions(CommandLine& command, SessionOptions& session) {
+  for (const std::string team : {"red", "blue"})
+    command
+        .option("--" + team + "-agent", team == "red" ? session.redAgent : session.blueAgent,
+                "Command that starts somebody else's agent for each " + team +
+                    " robot in place of Kelpie's (examples/agent/README.md)")
+        .check(notEmpty())
+        .excludes("--" + team)
+        .excludes("--percepts");
+  command
+      .option("--agent-limit", session.agentLimit,
+              "Seconds of real time that such an agent has for each answer; then the match goes on "
+              "without it")
+      .check(inRange(0.001, 60.0))
+      .showDefault();
+  command
+      .option("--agent-wait", session.agentWait,
+              "Seconds until such an agent must be there; then the match begins without it")
+      .check(inRange(0.0, 600.0))
+      .showDefault();
+}
+
+Status checkStrangers(const SessionOptions& session) {
+  for (const char* team : {"red", "blue"}) {
+    const TeamColour colour = std::string(team) == "red" ? TeamColour::red : TeamColour::blue;
+    const auto robots = strangersOf(session);
+    const bool plays = std::any_of(robots.begin(), robots.end(),
+                                   [&](const auto& robot) { return robot.team == colour; });
+    if (!session.strangerOf(team).empty() && !plays)
+      return Error{fmt::format("--{0}-agent: no {0} robot plays (--robots 4v4)", team)};
+  }
+  return Done{};
+}
+
+// The first word with a folder, or the first.
+std::string programIn(const std::string& command) {
+  std::istringstream words(command);
+  std::string first, word;
+  words >> first;
+  for (word = first; word.find('/') == std::string::npos;)
+    if (!(words >> word)) return first;
+  return std::filesystem::path(word).stem().string();
+}
+
+}  // namespace kelpie::cli
