@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""An agent for Kelpie's world with nothing but Python: it looks for orange in its camera's image,
-turns until there is some, and trots to it. It knows neither lines nor goals nor mates, falls when it
-is pushed and does not get up. README.md beside it has the protocol.
+"""An agent for Kelpie's world with nothing but Python: it looks for orange in its camera image,
+turns until there is some, and trots to it. It knows neither lines nor goals nor mates, and does not
+get up when it falls. README.md beside it has the protocol.
 
     kelpie play --red-agent "python3 examples/agent/to_ball.py"
 """
@@ -19,7 +19,7 @@ PERIOD, LIFT = 48, 2.0         # of a double step: ticks of 8 ms, cm
 LEAN = 0.18                    # the body's nose is so far down, in radians
 JOINTS = (1 << 18) - 1
 # Each leg's first joint, place of its shoulder (cm ahead of the body's middle, to the left), where
-# its foot stands from there (cm ahead, out, below), its lower leg (cm), its share of the double step.
+# its foot stands from there (cm ahead, out, below), its lower leg (cm), its share of the step.
 LEGS = ((4, 6.5, 6.7, 3.8, 2.8, 9.7, 7.7, 0.0), (7, -6.5, 6.7, 2.1, 3.4, 12.4, 8.3, 0.5),
         (10, 6.5, -6.7, 3.8, 2.8, 9.7, 7.7, 0.5), (13, -6.5, -6.7, 2.1, 3.4, 12.4, 8.3, 0.0))
 
@@ -110,7 +110,8 @@ def reply(vectors):
 def main():
     world = socket.socket(socket.AF_UNIX)
     world.connect(os.environ["KELPIE_SOCKET"])
-    hello = struct.pack("<BB", os.environ["KELPIE_TEAM"] == "blue", int(os.environ["KELPIE_PLAYER"]))
+    blue, player = os.environ["KELPIE_TEAM"] == "blue", int(os.environ["KELPIE_PLAYER"])
+    hello = struct.pack("<BB", blue, player)
     world.sendall(struct.pack("<III", MAGIC, HELLO, len(hello)) + hello)
     walker, under_way = Walker(), 0
     while True:

@@ -209,7 +209,9 @@ void Process::terminate() {
 }
 
 void Process::kill() {
-  if (!ended_) ::kill(group_ ? -pid_ : pid_, SIGKILL);
+  // A child that was started just now may not lead its group yet.
+  if (!ended_ && group_) ::kill(-pid_, SIGKILL);
+  if (!ended_) ::kill(pid_, SIGKILL);
 }
 
 void catchInterrupts() {

@@ -64,7 +64,8 @@ void Stranger::greet() {
 }
 
 void Stranger::absent(double waited) {
-  if (!present()) tell(fmt::format("has not come within {:g} s; its robot stands", waited));
+  if (!present() && told_ == 0)
+    tell(fmt::format("has not come within {:g} s; its robot stands", waited));
 }
 
 void Stranger::send(host::MessageType type, const std::vector<std::uint8_t>& body) {
