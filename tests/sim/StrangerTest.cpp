@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
@@ -45,10 +46,12 @@ Outcome playWith(const Client& client, double wait = 10.0, double pace = 0.0) {
   WorldParams params;
   params.referee.seconds = 0.5;
   World world(params, field, *setup, 3);
-  auto strangers = openStrangers("world", {robot}, kLimit);
+  // Tests run beside one another, each as a process.
+  const std::string socket = "/tmp/kelpie-stranger-" + std::to_string(::getpid());
+  auto strangers = openStrangers(socket, {robot}, kLimit);
   Outcome outcome;
   if (!strangers) return outcome;
-  std::thread thread(client, "world-red-1");
+  std::thread thread(client, socket + "-red-1");
   std::vector<Agent> agents;
   addStrangers(std::move(*strangers), wait, {}, agents);
   ServerHooks hooks;
