@@ -4,7 +4,7 @@ import math
 import random
 
 import pytest
-from farm.sprt import (ACCEPTED, BOUND, LEAST, OPEN, REJECTED, SCORES, Bounds, SequentialTest,
+from farm.sprt import (ACCEPTED, BOUND, LEAST, OPEN, REJECTED, SAME, SCORES, Bounds, SequentialTest,
                        interval_at_any_time, likeliest_shares, normal_llr, pentanomial_llr,
                        remaining_pairs)
 
@@ -171,3 +171,19 @@ def test_the_interval_is_open_while_nothing_is_known_of_the_spread():
 def test_the_interval_is_half_as_wide_with_four_times_the_pairs_or_a_little_more():
     few, many = (interval_at_any_time(n, 0.0, 1.0).high for n in (100, 400))
     assert 0.5 * few < many < 0.6 * few
+
+
+def test_pairs_that_are_nearly_all_the_same_decide_nothing_before_they_are_many():
+    test = SequentialTest(Bounds(0.0, 0.004))
+    for number in range(SAME - 1):
+        test.add(1e-9 if number % 2 else 0.0)
+        assert test.decision == OPEN
+    test.add(0.0)
+    assert test.decision == REJECTED
+
+
+def test_four_pairs_that_differ_are_enough_to_know_a_spread():
+    test = SequentialTest(Bounds(0.0, 1.0))
+    for number in range(LEAST):
+        test.add(-0.5 if number < 4 else 0.0)
+    assert test.decision == REJECTED

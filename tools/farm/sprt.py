@@ -23,6 +23,8 @@ BOUND = math.log((1.0 - ERROR) / ERROR)   # of the LLR: 2.94
 LEAST = 16       # pairs before a decision
 SCORES = (0.0, 0.25, 0.5, 0.75, 1.0)   # mean score of a pair: its five kinds
 SAME = 64        # pairs that are all the same decide: another kind would be less than one in twenty
+ALIKE = 1e-6     # of two pairs that are the same: two teams of whom nothing but a rare rule differs
+FEW = 4          # pairs unlike the first, without which the sample's variance says nothing
 UNSEEN = 1e-3    # pairs that a kind counts for which has not come yet, so that it stays possible
 WIDTH = 0.3      # of the running interval: narrowest after some 90 pairs
 ACCEPTED, REJECTED, OPEN = 'accepted', 'rejected', 'open'
@@ -123,6 +125,8 @@ class SequentialTest:
         self.count = 0
         self.mean = 0.0
         self.squares = 0.0       # of the deviations from the mean
+        self.others = 0          # pairs that are unlike the first
+        self.first = None
         self.counts = [0] * len(SCORES)
         self.llr = 0.0
         self.decision = OPEN
@@ -132,12 +136,15 @@ class SequentialTest:
         if self.decision != OPEN:
             return
         self.count += 1
+        self.first = observation if self.first is None else self.first
+        self.others += abs(observation - self.first) > ALIKE
         change = observation - self.mean
         self.mean += change / self.count
         self.squares += change * (observation - self.mean)
         if self.bounds.pentanomial:
             self.counts[SCORES.index(observation)] += 1
-        if self.count >= LEAST:
+        knows = self.bounds.pentanomial or self.others >= FEW
+        if self.count >= (LEAST if knows else SAME):
             self._decide()
 
     def _decide(self):
