@@ -23,7 +23,8 @@ STANDS = CONSTANTS.stands  # s after a motion: the ball seen by a robot that lie
 NEAR = CONSTANTS.near  # cm beyond the box; the neck stays in, the legs reach farther
 LEAVE = 15.0         # cm beyond the box; thesis 2004 section 4.2.2
 FAST = CONSTANTS.fast  # cm/s; a faster ball is not run after
-CLEARS = CONSTANTS.clears  # cm round the box in which a ball is run through
+CLEARS = CONSTANTS.clears  # cm round the box in which a ball is run through,
+OWN = 12.0           # cm, in which it is the goalie's whoever is nearer: mates keep off the box
 
 
 def faces_wrong(now, playing):
@@ -67,13 +68,13 @@ def can_clear_at_once(now, playing):
 
 
 def can_run(now, playing):
-    """Of who runs with the ball: one in the box is the goalie's, and so is one beside it while no
+    """Of who runs with the ball: one at the box is the goalie's, and so is one near it while no
     mate is nearer. Waiting for it beside the line, as against a kick, lets it be pushed in."""
     world = now.world
     if not rulebook.runs(world) or not now.sees() or now.pose_lost:
         return None
     away = beyond_box(world.field, now.ball)
-    if away > CLEARS or not (away == 0.0 or nearest(world, now.ball)):
+    if away > CLEARS or not (away < OWN or nearest(world, now.ball)):
         return None
     return 'the ball is {} cm beyond the box', away
 

@@ -77,7 +77,7 @@ class Goalie(RuleMachine):
         if name == 'attack':
             return AttackBall()
         if name == 'run_out':
-            return RunBall(self.memory)
+            return RunBall(self.memory, in_box=True)
         if name == 'step_back':
             return StepBack(world)
         return GuardGoal(NONE if name == 'adjust' else OF_2006)

@@ -4,6 +4,7 @@
 import math
 
 import kelpie
+from lib import rulebook
 from lib.geom import clamp
 from lib.goalie_places import MARGIN, box, to_field, to_robot
 from lib.paths import point_of
@@ -12,7 +13,14 @@ SPEED = 34.0         # cm/s; the walk does 36 to 38 (docs/physical-body.md)
 SECONDS = 0.35       # to an edge of the box at least: the legs follow late
 OUTSIDE = 10.0       # cm that the neck base of another stays away from the box,
 AT_BALL = 6.0        # cm of who plays a ball beside it,
+AT_RUN = 14.0        # cm of who runs with one, and
+RUN_SECONDS = 0.6    # s to an edge: the fast walk stops later
 NEAR = 45.0          # cm beyond that from which it minds: what the fast walk goes in a second
+ROUND = 8.0          # cm around the box that a way round it keeps free: the neck base and the pose's
+                     # error,
+OUT = 8.0            # cm beyond that it leads,
+AT_CORNER = 14.0     # cm from a corner that is turned,
+STEP = 12.0          # cm between two points of a way that are looked at
 KEPT_FREE = 28.0     # cm around the box; a head and paws reach 18 ahead of the neck, the trunk 20
                      # behind it
 
@@ -69,6 +77,40 @@ def no_deeper(left, right, top, x, y, vx, vy) -> tuple[float, float]:
     return (min(vx, 0.0) if away == x - left else max(vx, 0.0)), vy
 
 
+def round_box(field, here, place) -> tuple:
+    """Where to go first on a way round the own box: a corner of what is kept free, out of it for
+    who is inside, or the place itself."""
+    left, right, top = clear_of(field, ROUND)
+    x, y = here
+    if y < top and left < x < right:
+        away = min(x - left, right - x, top - y)
+        if away == top - y:
+            return x, top + OUT
+        return (left - OUT if away == x - left else right + OUT), y
+    if not crosses(left, right, top, here, place):
+        return place
+    corners = (left - OUT, top + OUT), (right + OUT, top + OUT)
+
+    def length(first, second):
+        total = math.dist(here, first)
+        if crosses(left, right, top, here, first):
+            return math.inf
+        if not crosses(left, right, top, first, place):
+            return total + math.dist(first, place)
+        return total + math.dist(first, second) + math.dist(second, place)
+    one, other = sorted(corners, key=lambda corner: length(corner, corners[corner == corners[0]]))
+    return other if math.dist(here, one) < AT_CORNER else one
+
+
+def crosses(left, right, top, start, end) -> bool:
+    """Whether a straight way leads through what is kept free; looked at every STEP."""
+    if start[1] >= top and end[1] >= top:
+        return False
+    count = math.ceil(math.dist(start, end) / STEP)
+    return any(left < start[0] + i * (end[0] - start[0]) / count < right and
+               start[1] + i * (end[1] - start[1]) / count < top for i in range(1, count))
+
+
 def outside_box(now, walk) -> kelpie.WalkRequest:
     """The filter of everybody else: no speed that would lead into the own box within a second. Who
     is inside already walks on as it is."""
@@ -85,7 +127,8 @@ def outside_box(now, walk) -> kelpie.WalkRequest:
 def ball_outside_box(now, walk) -> kelpie.WalkRequest:
     """The filter of who plays the ball or holds it: as far as the box, at full speed for a ball
     that lies before it, and back out of it."""
-    left, right, top = clear_of(now.world.field, AT_BALL)
+    runs = rulebook.runs(now.world)
+    left, right, top = clear_of(now.world.field, AT_RUN if runs else AT_BALL)
     x, y = point_of(now.world.pose)
     if y > top + NEAR:
         return walk
@@ -93,7 +136,7 @@ def ball_outside_box(now, walk) -> kelpie.WalkRequest:
     if left < x < right and y < top:
         allowed = no_deeper(left, right, top, x, y, *asked)
     else:
-        allowed = held_off(left, right, top, x, y, *asked, SECONDS)
+        allowed = held_off(left, right, top, x, y, *asked, RUN_SECONDS if runs else SECONDS)
     if allowed != asked:
         walk.forward, walk.left = to_robot(now.world.pose.heading_deg, *allowed)
     return walk

@@ -12,6 +12,7 @@ from lib.geom import clamp, wrap
 from lib.goalie_places import direction
 from lib.paths import point_of
 from lib.steer import FULL, any_way
+from safety import own_box
 from situation.run_way import opponents, run_way
 from skills.head.track_ball import TrackBall
 
@@ -30,22 +31,33 @@ SLOWLY = 10.0        # cm/s: the legs go fast only ahead
 class RunBall(Skill):
     NAME = 'run_ball'
 
-    def __init__(self, memory):
+    def __init__(self, memory, in_box=False):
+        """`in_box`: of a goalie, who may go through the own box."""
         self.track = TrackBall(memory)
+        self.in_box = in_box
         self.branch, self.way, self.off = 'curve', 0.0, 0.0
 
     def step(self, world) -> kelpie.Command:
-        ball = led(world.ball)
-        here, facing = point_of(world.pose), world.pose.heading_deg
-        away, bearing = math.dist(here, ball), direction(here, ball)
+        ball, here = led(world.ball), point_of(world.pose)
         self.way = run_way(world.field, ball, opponents(world))
-        self.off = wrap(self.way - bearing)
+        self.off = wrap(self.way - direction(here, ball))
+        first = ball if self.in_box else own_box.round_box(world.field, here, ball)
+        if first != ball:
+            self.branch = 'round_box'
+            ahead = wrap(direction(here, first) - world.pose.heading_deg)
+            walk = any_way(ahead, ahead, FULL if abs(ahead) < TURNS_FIRST else SLOWLY)
+        else:
+            walk = self.at_ball(world, here, ball)
+        return kelpie.Command(walk=walk, head=self.track.step(world))
+
+    def at_ball(self, world, here, ball) -> kelpie.WalkRequest:
+        away, bearing = math.dist(here, ball), direction(here, ball)
+        facing = world.pose.heading_deg
         ahead = wrap(bearing - aside(away, self.off) - facing)
         rounds = away < 2.0 * ROUND and abs(self.off) > BEHIND
         self.branch = 'round' if rounds else 'push' if abs(self.off) <= BEHIND else 'curve'
         face = wrap(bearing - facing) if rounds else ahead
-        speed = FULL if rounds or abs(ahead) < TURNS_FIRST else SLOWLY
-        return kelpie.Command(walk=any_way(ahead, face, speed), head=self.track.step(world))
+        return any_way(ahead, face, FULL if rounds or abs(ahead) < TURNS_FIRST else SLOWLY)
 
     def explain(self, trace) -> None:
         trace.append((kelpie.LAYER_SKILL, self.NAME, self.branch,

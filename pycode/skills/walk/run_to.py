@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Runs to a place of the field that moves with the play: at full speed ahead while it is far, in any
 # direction with the ball in view when it is near. Whoever stands ahead is passed on the side that
-# is nearer to the way. Keeps how far it is, for the trace. It minds only who is near and ahead: a
-# wall of robots is not gone round.
+# is nearer to the way, and the own box is gone round. Keeps how far it is, for the trace. It minds
+# only who is near and ahead: a wall of robots is not gone round.
 import math
 
 import kelpie
@@ -11,6 +11,7 @@ from lib.geom import wrap
 from lib.goalie_places import direction
 from lib.paths import point_of
 from lib.steer import FULL, any_way
+from safety import own_box
 
 CLEAR = 42.0         # cm within which others are gone round,
 BESIDE_DEG = 75.0    # deg off the way, and
@@ -33,7 +34,8 @@ class RunTo(Skill):
         place, watched = asked
         here, facing = point_of(world.pose), world.pose.heading_deg
         self.away = math.dist(here, place)
-        way = wrap(direction(here, place) + past(world, here, place) - facing)
+        first = own_box.round_box(world.field, here, place)
+        way = wrap(direction(here, first) + past(world, here, first) - facing)
         self.near = self.away < NEAR
         face = wrap(direction(here, watched) - facing) if self.near and watched else way
         slow = not self.near and abs(way) >= TURNS_FIRST
