@@ -33,7 +33,8 @@ from skills.walk.paw_stuck import PawStuck, paw_pushes
 
 CONSTANTS = kelpie.constants.attacker  # behaviour/constants.toml: defaults and ranges
 LOST_FRAMES = CONSTANTS.lost_frames  # the ball is looked for after so many without a sight,
-LOST_NEAR_FRAMES = 40   # or so many where the chin hides it
+LOST_NEAR_FRAMES = 40   # or so many where the chin hides it,
+LOST_RUN_FRAMES = 30    # or while it runs with the ball: a push hides it for half a second
 CHIN = 20.0             # cm
 SETTLED = CONSTANTS.settled  # cm to the ball; nearer, a leaf is kept for some frames
 KEPT_FRAMES = CONSTANTS.kept_frames  # frames
@@ -56,10 +57,13 @@ LEFT = {'back_off': 'the paws are free', 'localise': 'looked at a landmark',
 class AttackerSituation:
     """What an attacker decides by in one frame."""
 
-    def __init__(self, world, memory):
+    def __init__(self, world, memory, running=False):
+        """`running`: with the ball."""
         self.world, self.memory = world, memory
         ball = world.ball
-        maximum = LOST_NEAR_FRAMES if ball.present and ball.distance < CHIN else LOST_FRAMES
+        maximum = LOST_RUN_FRAMES if running else LOST_FRAMES
+        if ball.present and ball.distance < CHIN:
+            maximum = LOST_NEAR_FRAMES
         self.lost = not ball.present or memory.ball_lost > maximum
         # What its player adds: paw_pushes, box_in_the_way, the leaf whose skill has ended, and
         # ActiveLocalise, which knows whether a look is needed, or over.
@@ -143,7 +147,8 @@ class Attacker(RuleMachine):
         return command
 
     def situation(self, world) -> AttackerSituation:
-        now = AttackerSituation(world, self.memory)
+        now = AttackerSituation(world, self.memory,
+                                self.state == self.play and self.leaf == tree.RUN)
         now.paw_pushes = rulebook.of(world).ATTACKER_BACKS and self.stuck.needed(world)
         ended = self.state == self.play and self.skill is not None and self.skill.done
         now.ended = self.leaf if ended else ''

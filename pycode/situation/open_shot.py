@@ -12,7 +12,8 @@ from lib.goalie_places import direction
 from lib.paths import point_of
 from situation.run_way import opponents
 
-SHOT = kelpie.constants.run.shot  # chance of a goal from which on a kick is better than running,
+CONSTANTS = kelpie.constants.run  # behaviour/constants.toml: defaults and ranges
+SHOT = CONSTANTS.shot  # chance of a goal from which on a kick is better than running on,
 KEEPS = 0.1          # and so much less for the kick that is played
 NEAR = 70.0          # cm to the ball; farther, much will have changed until it is kicked
 FAR = 230.0          # cm to the goal; no kick rolls farther

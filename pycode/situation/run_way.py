@@ -17,6 +17,7 @@ BODY_COST = CONSTANTS.body_cost  # deg of turn that a body full in the way is wo
 SEEN_S = 2.0         # s; opponents seen longer ago have moved
 PRESSED = CONSTANTS.pressed  # cm from an opponent to the ball: it is there when a grab ends, after
                              # 1.3 s and the turn,
+GUARDED = 50.0       # cm of one that guards its goal,
 FREED = 20.0         # cm more until the ball is free again
 GOAL_NEAR = 110.0    # cm from the goal, from where on the free side of its mouth is run at,
 ASIDE = 17.0         # cm from its middle
@@ -37,9 +38,15 @@ def opponents(world) -> list:
 def pressed(world, runs) -> bool:
     """Whether an opponent is so near to the ball that nothing else than running with it will come
     to its end. `runs`: it does so already."""
-    ball = point_of(world.ball)
-    return any(math.dist(ball, other) < (PRESSED + FREED if runs else PRESSED)
+    ball, more = point_of(world.ball), FREED if runs else 0.0
+    return any(math.dist(ball, other) < more + (GUARDED if guards(world.field, other) else PRESSED)
                for other in opponents(world))
+
+
+def guards(field, other) -> bool:
+    """Whether an opponent is in its own box, as its goalie, who waits for the ball there."""
+    return (other[1] > field.length - field.box_depth and
+            abs(other[0] - 0.5 * field.width) < 0.5 * field.box_width)
 
 
 def goal_point(field, ball, others) -> tuple:

@@ -117,7 +117,7 @@ def test_what_the_commands_write_is_there_and_git_does_not_see_it(place, results
     assert len(wanted) >= 5 and all((place / name).is_file() for name in wanted)
     if not in_git():
         pytest.skip("no repository: nothing to be ignored")
-    fixtures = {"recording", "sheets", "pycode", "teams", "keys.txt"}
+    fixtures = {"recording", "sheets", "pycode", "teams", "examples", "keys.txt"}
     left = [name for name in os.listdir(place) if name not in fixtures]
     assert "out" in left
     for name in left:

@@ -225,3 +225,23 @@ def test_who_runs_to_a_ball_behind_the_own_box_goes_round_and_a_goalie_through_i
     assert forward.step(made).walk.turn_deg < 0.0 and forward.branch == 'round_box'
     goalie.step(made)
     assert goalie.branch != 'round_box'
+
+
+@pytest.mark.parametrize('pressed_by, lost, state', [(80.0, 25, 'play'), (80.0, 35, 'find'),
+                                                     (200.0, 25, 'find')])
+def test_who_runs_with_the_ball_looks_for_it_later(pressed_by, lost, state):
+    made = shooter(200.0)
+    made.task.run = True
+    made.opponents = [opponent(MIDDLE + pressed_by, 240.0)]
+    player = attacker(made)
+    player.memory.ball_lost = lost
+    player.step(made)
+    assert player.playing == state
+
+
+@pytest.mark.parametrize('away, presses', [(60.0, False), (40.0, True)])
+def test_a_goalie_in_its_box_presses_from_near_by_only(away, presses):
+    made = shooter(FIELD.length - 150.0)
+    made.opponents = [opponent(MIDDLE, FIELD.length - 110.0 + away)]
+    assert made.opponents[0].position.y > FIELD.length - FIELD.box_depth or presses
+    assert pressed(made, False) is presses

@@ -23,7 +23,8 @@ def test_it_imports_only_itself_math_and_kelpie():
 
 def test_in_a_match_its_scripts_fail_nowhere_and_its_forwards_run_and_never_stand(tmp_path):
     out = tmp_path / "runs.json"
-    done = kelpie("evaluate", "runs", "--trials", "1", "--minutes", "1", "--fast", "--json", out,
+    done = kelpie("evaluate", "runs", "--a", ROOT / "teams/thesis", "--b",
+                  ROOT / "teams/runner", "--trials", "1", "--minutes", "2", "--fast", "--json", out,
                   timeout=600)
     assert done.returncode == 0, done.stderr
     assert "teams/runner" not in done.stderr  # an error in a script is reported with its file
