@@ -207,7 +207,8 @@ LEFT, RIGHT = 60.0, FIELD.width - 60.0
 
 
 @pytest.mark.parametrize('here, place, count', [
-    ((MIDDLE, 300.0), (LEFT, LOW), 1), ((LEFT, LOW), (RIGHT, LOW), 3), ((RIGHT, LOW), (LEFT, LOW), 3),
+    ((MIDDLE, 300.0), (LEFT, LOW), 1), ((LEFT, LOW), (RIGHT, LOW), 3),
+    ((RIGHT, LOW), (LEFT, LOW), 3),
     ((RIGHT, 100.0), (LEFT, LOW), 2), ((LEFT, LOW), (MIDDLE, 200.0), 1),
     ((MIDDLE, 40.0), (MIDDLE, 300.0), 2), ((MIDDLE - 40.0, LOW), (RIGHT, LOW), 4)])
 def test_a_way_to_the_other_side_leads_round_the_own_box(here, place, count):
