@@ -16,8 +16,7 @@ AT_BALL = 6.0        # cm of who plays a ball beside it,
 AT_RUN = 14.0        # cm of who runs with one, and
 RUN_SECONDS = 0.6    # s to an edge: the fast walk stops later
 NEAR = 45.0          # cm beyond that from which it minds: what the fast walk goes in a second
-ROUND = 8.0          # cm around the box that a way round it keeps free: the neck base and the pose's
-                     # error,
+ROUND = 8.0          # cm around the box that a way round it keeps free, as the pose is off,
 OUT = 8.0            # cm beyond that it leads,
 AT_CORNER = 14.0     # cm from a corner that is turned,
 STEP = 12.0          # cm between two points of a way that are looked at
