@@ -32,6 +32,10 @@ One playOne(const cli::SessionOptions& session) {
 
 }  // namespace
 
+std::string sideOr(const std::string& folder, const char* usual) {
+  return folder.empty() ? std::string(KELPIE_SOURCE_DIR "/teams/") + usual : folder;
+}
+
 cli::SessionOptions sessionOf(const Request& request, const Trial& trial) {
   cli::SessionOptions session;
   session.seed = trial.seed;

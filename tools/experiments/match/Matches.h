@@ -15,6 +15,9 @@ namespace kelpie::experiments {
 // trial's.
 cli::SessionOptions sessionOf(const Request& request, const Trial& trial);
 
+// The folder of a side that the request names, or that of a team of the source tree.
+std::string sideOr(const std::string& folder, const char* usual);
+
 // What is played: `count` matches, by their numbers from 0.
 struct Matches {
   int count = 0;

@@ -4,6 +4,7 @@
 // in place of images; on other bodies `kelpie farm play --scenes` plays the same.
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/harness/Statistics.h"
+#include "tools/experiments/match/Matches.h"
 #include "tools/league/PairedStatistics.h"
 #include "tools/league/value/MatchValue.h"
 #include "tools/session/SceneSession.h"
@@ -12,8 +13,6 @@
 
 namespace kelpie::experiments {
 namespace {
-
-constexpr const char* kTeams = KELPIE_SOURCE_DIR "/teams/";
 
 // What A has of the two matches of a scene.
 struct Pair {
@@ -29,18 +28,14 @@ struct Pair {
 };
 
 // Of one seed, a pair for each kind.
-struct Played {
+struct PlayedScenes {
   std::vector<Pair> pairs;
 
   template <int = 0>
   static constexpr auto fields() {
-    return fieldList(field("pairs", &Played::pairs));
+    return fieldList(field("pairs", &PlayedScenes::pairs));
   }
 };
-
-std::string sideOr(const std::string& folder, const char* usual) {
-  return folder.empty() ? std::string(kTeams) + usual : folder;
-}
 
 // What every scene is played and judged by.
 struct Sides {
@@ -81,8 +76,8 @@ Status playOnce(const Sides& sides, const std::string& kind, std::uint64_t seed,
   return Done{};
 }
 
-Expected<Played> playSeed(const Sides& sides, const Trial& trial) {
-  Played played;
+Expected<PlayedScenes> playSeed(const Sides& sides, const Trial& trial) {
+  PlayedScenes played;
   for (const std::string& kind : sim::sceneKinds()) {
     Pair pair;
     for (const bool aIsRed : {true, false}) {
@@ -129,7 +124,7 @@ Expected<Json> sceneSides(const Request& request) {
   Json figures = Json::object(), each = Json::object();
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
     std::vector<Pair> pairs;
-    for (const Played& played : *seeds) pairs.push_back(played.pairs[kind]);
+    for (const PlayedScenes& played : *seeds) pairs.push_back(played.pairs[kind]);
     each[kinds[kind]] = figuresOf(pairs);
     all.insert(all.end(), pairs.begin(), pairs.end());
   }

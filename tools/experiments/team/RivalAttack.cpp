@@ -54,9 +54,8 @@ void judge(const Played& played, Attacks& attacks) {
 
 cli::SessionOptions sessionFor(const Request& request, int number) {
   cli::SessionOptions session = sessionOf(request, trialOf(request, number));
-  const std::string teams = KELPIE_SOURCE_DIR "/teams/";
-  const std::string a = request.sideA.empty() ? teams + "kelpie" : request.sideA;
-  const std::string b = request.sideB.empty() ? teams + "runner" : request.sideB;
+  const std::string a = sideOr(request.sideA, "kelpie");
+  const std::string b = sideOr(request.sideB, "runner");
   session.percepts = request.fast;
   session.keepFrames = true;
   cli::useRules("2005", session);

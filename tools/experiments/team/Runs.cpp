@@ -120,9 +120,8 @@ void judgeGoals(const Played& played, Teams& teams) {
 cli::SessionOptions sessionFor(const Request& request, int number) {
   const Trial trial = trialOf(request, number / 2);
   cli::SessionOptions session = sessionOf(request, trial);
-  const std::string teams = KELPIE_SOURCE_DIR "/teams/";
-  const std::string a = request.sideA.empty() ? teams + "kelpie" : request.sideA;
-  const std::string b = request.sideB.empty() ? teams + "runner" : request.sideB;
+  const std::string a = sideOr(request.sideA, "kelpie");
+  const std::string b = sideOr(request.sideB, "runner");
   session.percepts = true;
   session.keepFrames = true;
   session.seconds = 60.0 * (request.minutes > 0.0 ? request.minutes : kMinutes);
