@@ -71,8 +71,47 @@ TEST(Scenes, NumberOneStandsInItsGoal) {
   for (const std::string& kind : sceneKinds())
     forScenes(kind, [](const StagedScene& scene) {
       EXPECT_LT(placeOf(scene, TeamColour::red, 1).position.y, 30.0);
+      if (scene.robots[2] == '0') return;
       EXPECT_GT(placeOf(scene, TeamColour::blue, 1).position.y, field().length - 30.0);
     });
+}
+
+double fromMiddle(const StagedScene& scene) {
+  return std::fabs(ballOf(scene).x - 0.5 * field().width);
+}
+
+TEST(Scenes, ToFinishTheBallIsWithinSixtyCentimetresOfAGuardedGoal) {
+  forScenes("finish", [](const StagedScene& scene) {
+    EXPECT_EQ(scene.robots, "2v2");
+    EXPECT_GE(ballOf(scene).y, field().length - 60.0);
+    EXPECT_LE(apart(scene, TeamColour::red, 2), 60.5);
+  });
+}
+
+TEST(Scenes, BeforeAnOpenLineTheBallIsBetweenThePosts) {
+  forScenes("open-line", [](const StagedScene& scene) {
+    EXPECT_EQ(scene.robots, "2v0");
+    EXPECT_GE(ballOf(scene).y, field().length - 15.0);
+    EXPECT_LE(fromMiddle(scene), 0.5 * field().goalWidth - 5.0);
+  });
+}
+
+TEST(Scenes, AtAPostForwardAndGoalieAreAtTheBall) {
+  forScenes("post", [](const StagedScene& scene) {
+    EXPECT_LE(std::fabs(fromMiddle(scene) - 0.5 * field().goalWidth), 12.0);
+    EXPECT_GE(ballOf(scene).y, field().length - 14.0);
+    EXPECT_LE(apart(scene, TeamColour::red, 2), 31.0);
+    EXPECT_LE(apart(scene, TeamColour::blue, 1), 40.0);
+  });
+}
+
+TEST(Scenes, InAJamOneOfEachTeamIsAtABallInTheCorner) {
+  forScenes("jam", [](const StagedScene& scene) {
+    EXPECT_GE(fromMiddle(scene), 0.5 * field().width - 12.0);
+    EXPECT_GE(ballOf(scene).y, field().length - 12.0);
+    for (const TeamColour team : {TeamColour::red, TeamColour::blue})
+      EXPECT_LE(apart(scene, team, 2), 36.5);
+  });
 }
 
 TEST(Scenes, AContestedBallIsAsNearToBothWhoFaceIt) {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A team (--a) against attacks that begin as those of the team of 2005 did 12 s before its goals
 // (the scene rival-attack), played by another team (--b): goals against, and how soon the ball is
-// won, which is when a robot of the team has been the nearest to it for a while. By the rules of
-// 2005; with --fast from percepts, else from images on physical bodies. It cannot tell a ball that
-// was won from one that the attackers ran past.
+// won, which is when a robot of the team has been the nearest to it for a while. It cannot tell a
+// ball that was won from one that the attackers ran past.
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/experiments/match/Matches.h"
-#include "tools/session/SceneSession.h"
-#include "tools/session/Teams.h"
+#include "tools/experiments/team/StagedScenes.h"
 
 namespace kelpie::experiments {
 namespace {
@@ -40,39 +37,20 @@ double wonAfter(const Played& played) {
 }
 
 void judge(const Played& played, Attacks& attacks) {
-  bool conceded = false, scored = false;
-  for (const sim::MatchEvent& event : played.events) {
-    conceded = conceded || (event.kind == sim::EventKind::goal && event.team == TeamColour::blue);
-    scored = scored || (event.kind == sim::EventKind::goal && event.team == TeamColour::red);
-  }
   const double won = wonAfter(played);
-  attacks.conceded.count(conceded);
-  attacks.scored.count(scored);
+  attacks.conceded.count(goalAfter(played, TeamColour::blue).has_value());
+  attacks.scored.count(goalAfter(played, TeamColour::red).has_value());
   attacks.wonSoon.count(won <= kSoon);
   attacks.won.push_back(won);
 }
 
-cli::SessionOptions sessionFor(const Request& request, int number) {
-  cli::SessionOptions session = sessionOf(request, trialOf(request, number));
-  const std::string a = sideOr(request.sideA, "kelpie");
-  const std::string b = sideOr(request.sideB, "runner");
-  session.percepts = request.fast;
-  session.keepFrames = true;
-  cli::useRules("2005", session);
-  const Status used = cli::useScene("rival-attack", {0, 0, a, b}, session);
-  if (!used) session.pycode = a;  // what is wrong with it the session says itself
-  return session;
-}
-
 Expected<Json> rivalAttack(const Request& request) {
   Attacks attacks;
-  Matches matches;
-  matches.count = request.trials;
-  matches.session = [&](int number) { return sessionFor(request, number); };
-  matches.judge = [&](int, const cli::SessionResult&, const Played& played) {
-    judge(played, attacks);
-  };
-  const Status done = playMatches(request, matches);
+  StagedScenes scenes;
+  scenes.draw = drawnAs({"rival-attack"});
+  scenes.opponents = "runner";
+  scenes.judge = [&](std::size_t, const Played& played) { judge(played, attacks); };
+  const Status done = playScenes(request, scenes);
   if (!done) return Error{done.error()};
   return Json{{"goals_against", attacks.conceded.value()},
               {"goals_for", attacks.scored.value()},

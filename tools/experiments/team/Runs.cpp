@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // How two teams run with the ball and whether their forwards stand, by true places alone: matches
-// of percepts by the rules of 2005 in which the teams change colours. A run is the time in which
-// one forward is the nearest of all to the ball and near it. It cannot tell a ball that is pushed
-// from one that is carried between the paws; the distance to it says so.
+// (--fast: of percepts, else from images on physical bodies) by the rules of 2005 in which the
+// teams change colours. A run is the time in which one forward is the nearest of all to the ball
+// and near it. It cannot tell a ball that is pushed from one that is carried between the paws; the
+// distance to it says so.
 #include <algorithm>
 #include <array>
 
@@ -122,7 +123,7 @@ cli::SessionOptions sessionFor(const Request& request, int number) {
   cli::SessionOptions session = sessionOf(request, trial);
   const std::string a = sideOr(request.sideA, "kelpie");
   const std::string b = sideOr(request.sideB, "runner");
-  session.percepts = true;
+  session.percepts = request.fast;
   session.keepFrames = true;
   session.seconds = 60.0 * (request.minutes > 0.0 ? request.minutes : kMinutes);
   cli::useRules("2005", session);

@@ -43,6 +43,7 @@ class Drawing {
   double width() const { return field_.width; }
   double length() const { return field_.length; }
   double middle() const { return 0.5 * field_.width; }
+  double post() const { return 0.5 * field_.goalWidth; }  // cm from the middle
   Point2<Field> ball() const { return scene.staging.ball->position; }
   // Wider from try to try: the narrow field of 2004 leaves no room to scrums of 2005 else.
   double jitter() { return random_.gaussian(0.0, kJitter * (1.0 + tries / kWidens)); }
@@ -205,6 +206,42 @@ void behind(Drawing& draw) {
   draw.facing(kRed, 2, {from - 15.0, from + 15.0}, {85.0, 150.0});
 }
 
+// The ball within 60 cm of blue's goal, a defender and the goalie before it.
+void finish(Drawing& draw) {
+  draw.ballAt(draw.middle() + draw.in({-55.0, 55.0}), draw.length() - draw.in({15.0, 60.0}));
+  draw.facing(kRed, 2, {110.0, 250.0}, {24.0, 60.0});
+  draw.facing(kBlue, 2, {-180.0, 180.0}, {30.0, 80.0});
+  draw.keepers();
+}
+
+// The ball before a goal line that nobody guards, wherever its forward comes from.
+void openLine(Drawing& draw) {
+  draw.ballAt(draw.middle() + draw.in({5.0 - draw.post(), draw.post() - 5.0}),
+              draw.length() - draw.in({6.0, 15.0}));
+  draw.keeper(kRed);
+  draw.facing(kRed, 2, {90.0, 270.0}, {24.0, 80.0});
+}
+
+// The ball beside a post, a forward and the goalie at it.
+void post(Drawing& draw) {
+  const double side = draw.side();
+  draw.ballAt(draw.middle() + side * (draw.post() + draw.in({-4.0, 12.0})),
+              draw.length() - draw.in({6.0, 14.0}));
+  draw.keeper(kRed);
+  draw.facing(kRed, 2, {110.0, 250.0}, {24.0, 30.0});
+  const double x = draw.ball().x - side * draw.in({20.0, 30.0});
+  draw.addFacing(kBlue, 1, {x, draw.length() - kKeeper}, draw.ball());
+}
+
+// The ball in a corner, one of each team at it.
+void jam(Drawing& draw) {
+  draw.ballAt(draw.middle() + draw.side() * (draw.middle() - draw.in({6.0, 12.0})),
+              draw.length() - draw.in({6.0, 12.0}));
+  draw.keepers();
+  draw.facing(kRed, 2, {-180.0, 180.0}, {24.0, 36.0});
+  draw.facing(kBlue, 2, {-180.0, 180.0}, {24.0, 36.0});
+}
+
 // The recorded attacks, on whatever field: places are shares of it, velocities stay.
 class RivalDrawing {
  public:
@@ -291,6 +328,10 @@ constexpr Kind kKinds[] = {
     {"scrum", "3v3", kShort, scrum},
     {"behind", "2v2", kShort, behind},
     {"rival-attack", "4v4", kLong, rivalAttack},
+    {"finish", "2v2", kShort, finish},
+    {"open-line", "2v0", kShort, openLine},
+    {"post", "2v1", kShort, post},
+    {"jam", "2v2", kShort, jam},
 };
 
 std::vector<host::AgentHello> robotsOf(const StagedScene& scene) {
