@@ -59,6 +59,12 @@ def in_frame(frame, x, y) -> Point:
     return dx * frame[2] - dy * frame[3], dx * frame[3] + dy * frame[2]
 
 
+def to_field(pose, x, y) -> Point:
+    """A point of the robot frame in the field frame."""
+    px, py, sine, cosine = frame_of(pose)
+    return px + x * sine + y * cosine, py - x * cosine + y * sine
+
+
 def from_field(pose, x, y) -> Point:
     """The same for one point; who has many asks for the frame once."""
     return in_frame(frame_of(pose), x, y)

@@ -11,8 +11,10 @@ from decisions.held_choice import HeldChoice
 from decisions.leaf_by_map import LeafByMap
 from lib import rulebook
 from lib.geom import from_field, heading
+from lib.paths import point_of
 from lib.steer import filtered, towards
 from safety.own_box import ball_outside_box
+from situation.about_ball import opponents
 from situation.at_ball import Situation
 from situation.contested import Contested
 from situation.goal import OpponentGoal
@@ -28,13 +30,15 @@ from skills.ball.run_ball import RunBall
 from skills.head.active_localise import LEAVE, ActiveLocalise
 from skills.head.glance import Glance
 from skills.head.track_ball import believed
+from skills.walk import round_post
 from skills.walk.avoid_own_box import AvoidOwnBox
 from skills.walk.paw_stuck import PawStuck, paw_pushes
+from skills.walk.round_post import RoundPost
 
 CONSTANTS = kelpie.constants.attacker  # behaviour/constants.toml: defaults and ranges
 LOST_FRAMES = CONSTANTS.lost_frames  # the ball is looked for after so many without a sight,
 LOST_NEAR_FRAMES = 40   # or so many where the chin hides it,
-LOST_RUN_FRAMES = 30    # or while it runs with the ball: a push hides it for half a second
+LOST_RUN_FRAMES = 30, 75    # or while it runs with the ball, which a push hides; under the chin
 CHIN = 20.0             # cm
 SETTLED = CONSTANTS.settled  # cm to the ball; nearer, a leaf is kept for some frames
 KEPT_FRAMES = CONSTANTS.kept_frames  # frames
@@ -51,7 +55,8 @@ KICKS = {facts.leaf: kick for kick, facts in kelpie.KICKS.items() if facts.leaf}
 LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
 # Why the ball is looked for by who comes from another state than play.
 LEFT = {'back_off': 'the paws are free', 'localise': 'looked at a landmark',
-        'avoid_box': 'the own box is no longer in the way'}
+        'avoid_box': 'the own box is no longer in the way',
+        'round_post': 'past the post'}
 
 
 class AttackerSituation:
@@ -61,9 +66,8 @@ class AttackerSituation:
         """`running`: with the ball."""
         self.world, self.memory = world, memory
         ball = world.ball
-        maximum = LOST_RUN_FRAMES if running else LOST_FRAMES
-        if ball.present and ball.distance < CHIN:
-            maximum = LOST_NEAR_FRAMES
+        far, near = LOST_RUN_FRAMES if running else (LOST_FRAMES, LOST_NEAR_FRAMES)
+        maximum = near if ball.present and ball.distance < CHIN else far
         self.lost = not ball.present or memory.ball_lost > maximum
         # What its player adds: paw_pushes, box_in_the_way, the leaf whose skill has ended, and
         # ActiveLocalise, which knows whether a look is needed, or over.
@@ -96,6 +100,13 @@ def ball_in_own_box(now, playing):
     return ('the ball is in the own box',) if now.box_in_the_way else None
 
 
+def post_in_way(now, playing):
+    """Of who leans on a post, or is about to."""
+    rounds = rulebook.of(now.world).ROUNDS_POSTS
+    return ('a post stands in the way to the ball',) if rounds and round_post.needed(
+        now.world, playing == 'round_post') else None
+
+
 def time_to_look(now, playing):
     return ('far ball, time to look',) if now.landmarks.needed(now.world) else None
 
@@ -113,6 +124,7 @@ class Attacker(RuleMachine):
         (looks_on, 'localise'),
         (ball_is_lost, 'find'),
         (ball_in_own_box, 'avoid_box'),
+        (post_in_way, 'round_post'),
         (time_to_look, 'localise'),
         (ball_is_there, 'play'))
 
@@ -170,7 +182,8 @@ class Attacker(RuleMachine):
         if name == 'localise':
             self.localise_skill.start(world)
         return {'back_off': self.stuck, 'localise': self.localise_skill,
-                'avoid_box': AvoidOwnBox(self.memory)}.get(name)
+                'avoid_box': AvoidOwnBox(self.memory),
+                'round_post': RoundPost(self.memory)}.get(name)
 
     def wanted(self, world):
         """Where it goes on the field: to the ball."""
@@ -198,6 +211,9 @@ class Attacker(RuleMachine):
         """Where no goalie is heard who clears the ball, it fetches it in the end."""
         self.box_frames += 1    # after the question, which this frame has asked
         return self.looking_round(world, self.skill.step(world))
+
+    def round_post(self, world):
+        return self.skill.step(world)
 
     def looking_round(self, world, command) -> kelpie.Command:
         """The same, with the head at a landmark now and then."""
@@ -267,9 +283,10 @@ class Attacker(RuleMachine):
         leaf, self.tree_place, *why = tree.decide(situation)
         self.tree_leaf, self.tree_why = leaf, tuple(why)
         self.chosen_by = 'kept'
-        if rulebook.runs(world) and pressed(world, self.leaf == tree.RUN):
+        others = opponents(world, self.memory) if rulebook.runs(world) else []
+        if pressed(world.field, point_of(world.ball), others, self.leaf == tree.RUN):
             self.chosen_by = 'open_shot'
-            leaf, *why = self.run_or_shoot(world)
+            leaf, *why = self.run_or_shoot(world, others)
         elif rulebook.by_kick_map(world) and world.task.grab:
             self.chosen_by = 'leaf_by_map'
             leaf, *why = self.by_map.choose(world, situation, leaf, self.leaf)
@@ -283,10 +300,10 @@ class Attacker(RuleMachine):
         elif leaf == self.leaf:
             self.leaf_why = tuple(why)
 
-    def run_or_shoot(self, world) -> tuple:
+    def run_or_shoot(self, world, others) -> tuple:
         """(leaf, reason, *numbers) of who runs with the ball: a grab takes longer than who presses
         needs to it."""
-        shot = open_shot(world, KICKS.get(self.leaf))
+        shot = open_shot(world, others, KICKS.get(self.leaf))
         if shot is None:
             return tree.RUN, 'no shot is open'
         return kelpie.KICKS[shot[0]].leaf, 'a goal with a chance of {}', shot[1]

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # What one player remembers of the frames before, for all of its skills: since when ball and goals
-# are unseen, spins, what the infrared reads, and what skills said (hints, last close ball). Counted
-# in camera frames, as the theses do; a dropped image does not count. update() comes first in every
-# frame. Everything else is a skill's own. What is not update()'s is written by one named method,
-# and that is called by one module (WRITERS, held by tests/py/test_structure.py).
+# are unseen, whose feet were seen, spins, what the infrared reads, and what skills said (hints,
+# last close ball). Counted in camera frames, as the theses do; a dropped image does not count.
+# update() comes first in every frame. Everything else is a skill's own. What is not update()'s is
+# written by one named method, and that is called by one module (WRITERS, held by
+# tests/py/test_structure.py).
+import math
+
 import kelpie
+from lib.geom import to_field
 
 # Who calls which method, and with it is the writer of what that changes.
 WRITERS = {'spun': 'skills/ball/spin_for_ball', 'saw_close': 'skills/head/track_ball',
@@ -17,6 +21,8 @@ IR_RANGE = 50.0         # cm that the near sensor of the head reads at most
 IR_SHARE = 0.3          # of a new reading in the filter
 OWN_GOAL_KEPT = 15      # frames for which an own goal that was seen is carried along by the turn
 OWN_GOAL_SPARED = 15.0  # deg beside its posts: kicks of the map go 7 to 10 deg off their way
+FEET_KEPT = 45          # frames: a head that looks down at the ball sees nobody meanwhile
+FEET_FROM, FEET_TO = 14.0, 150.0    # cm: nearer are the own feet, farther a pixel is 10 cm and more
 BIG_TURN_DEG = 40.0     # deg/s asked for; thesis 2006 Alg 6.3 counts frames since a large turn
 
 
@@ -42,6 +48,7 @@ class Memory:
         self.grab_lost = NEVER      # frames since a grab was begun or the ball held
         self.localised_lost = NEVER  # frames since the head last looked for landmarks
         self.marks = {}             # of each kind of landmark: the frame in which it was seen last
+        self.feet = []              # (x, y, frame) on the field: whose images showed, oldest first
         self.hint = None            # (distance cm, heading deg, frame): where to look for the ball
 
     def update(self, world) -> None:
@@ -55,6 +62,7 @@ class Memory:
         self.grab_lost += 1
         self.localised_lost += 1
         self._see(world)
+        self._see_feet(world)
         self.chest += IR_SHARE * (world.sensors.chest_distance - self.chest)
         self.ir += IR_SHARE * (world.sensors.head_near_distance - self.ir)
         if abs(world.last_command.walk.turn_deg) > BIG_TURN_DEG:
@@ -79,6 +87,14 @@ class Memory:
                 self.own_goal_lost = 0
                 self.own_goal = (max(mark.left_edge_deg, mark.heading_deg),
                                  min(mark.right_edge_deg, mark.heading_deg))
+
+    def _see_feet(self, world):
+        while self.feet and self.feet[0][2] <= self.frame - FEET_KEPT:
+            del self.feet[0]
+        for foot in world.percepts.obstacles:
+            x, y = foot.position.x, foot.position.y
+            if FEET_FROM < math.hypot(x, y) < FEET_TO:
+                self.feet.append((*to_field(world.pose, x, y), self.frame))
 
     def spun(self, side) -> None:
         """A skill turns on the spot for the ball in this frame: +1 to the left."""

@@ -10,7 +10,6 @@ from lib import kick_table
 from lib.geom import wrap
 from lib.goalie_places import direction
 from lib.paths import point_of
-from situation.run_way import opponents
 
 CONSTANTS = kelpie.constants.run  # behaviour/constants.toml: defaults and ranges
 SHOT = CONSTANTS.shot  # chance of a goal from which on a kick is better than running on,
@@ -24,14 +23,14 @@ AIM_SD = 5.0         # deg beside the map's: the ball's place is off by 1 or 2 c
 KICKS = tuple(kick for kick in kick_table.kicks(False) if kelpie.KICKS[kick].leaf)
 
 
-def open_shot(world, played=None) -> tuple | None:
-    """(kick, chance of a goal) of the best kick, or None. `played`: the kick that is played."""
+def open_shot(world, others, played=None) -> tuple | None:
+    """(kick, chance of a goal) of the best kick, or None. `others`: where opponents are; `played`:
+    the kick that is played."""
     ball, field, place = world.ball, world.field, point_of(world.ball)
     if not ball.present or ball.distance > NEAR:
         return None
     if math.dist(place, (0.5 * field.width, field.length)) > FAR:
         return None
-    others = opponents(world)
     if any(math.dist(place, other) < CLEAR for other in others):
         return None
     shadows = [shadow(world, place, other) for other in others]

@@ -7,14 +7,12 @@ import math
 
 import kelpie
 from lib.goalie_places import direction
-from lib.paths import point_of
 
 CONSTANTS = kelpie.constants.run  # behaviour/constants.toml: defaults and ranges
 TURNS = (0.0, 15.0, -15.0, 30.0, -30.0, 45.0, -45.0, 60.0, -60.0)  # deg off the goal
 IN_WAY = CONSTANTS.in_way  # cm ahead of the ball within which opponents are gone past,
 BODY = CONSTANTS.body      # cm beside them: half of two robots' widths and the ball
 BODY_COST = CONSTANTS.body_cost  # deg of turn that a body full in the way is worth
-SEEN_S = 2.0         # s; opponents seen longer ago have moved
 PRESSED = CONSTANTS.pressed  # cm from an opponent to the ball: it is there when a grab ends, after
                              # 1.3 s and the turn,
 GUARDED = 50.0       # cm of one that guards its goal,
@@ -30,17 +28,12 @@ LINE = 80.0          # cm to their goal line, from where on a way beside the mou
 POST = 8.0           # cm from a post that the ball keeps
 
 
-def opponents(world) -> list:
-    """Where those are that were seen recently."""
-    return [point_of(one) for one in world.opponents if one.seconds_since_seen < SEEN_S]
-
-
-def pressed(world, runs) -> bool:
+def pressed(field, ball, others, runs) -> bool:
     """Whether an opponent is so near to the ball that nothing else than running with it will come
     to its end. `runs`: it does so already."""
-    ball, more = point_of(world.ball), FREED if runs else 0.0
-    return any(math.dist(ball, other) < more + (GUARDED if guards(world.field, other) else PRESSED)
-               for other in opponents(world))
+    more = FREED if runs else 0.0
+    return any(math.dist(ball, other) < more + (GUARDED if guards(field, other) else PRESSED)
+               for other in others)
 
 
 def guards(field, other) -> bool:

@@ -114,6 +114,14 @@ TEST(Scenes, InAJamOneOfEachTeamIsAtABallInTheCorner) {
   });
 }
 
+TEST(Scenes, AnOpponentAheadIsUpFieldOfTheBall) {
+  forScenes("ahead", [](const StagedScene& scene) {
+    EXPECT_NEAR(apart(scene, TeamColour::blue, 2), 125.0, 1.1);
+    EXPECT_GT(placeOf(scene, TeamColour::blue, 2).position.y, ballOf(scene).y + 120.0);
+    EXPECT_LT(placeOf(scene, TeamColour::red, 2).position.y, ballOf(scene).y);
+  });
+}
+
 TEST(Scenes, AContestedBallIsAsNearToBothWhoFaceIt) {
   forScenes("contested", [](const StagedScene& scene) {
     EXPECT_LE(apart(scene, TeamColour::red, 2), 40.0);

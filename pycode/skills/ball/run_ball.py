@@ -13,7 +13,8 @@ from lib.goalie_places import direction
 from lib.paths import point_of
 from lib.steer import FULL, any_way
 from safety import own_box
-from situation.run_way import opponents, run_way
+from situation.about_ball import opponents
+from situation.run_way import run_way
 from skills.head.track_ball import TrackBall
 
 CONSTANTS = kelpie.constants.run  # behaviour/constants.toml: defaults and ranges
@@ -33,13 +34,13 @@ class RunBall(Skill):
 
     def __init__(self, memory, in_box=False):
         """`in_box`: of a goalie, who may go through the own box."""
-        self.track = TrackBall(memory)
+        self.memory, self.track = memory, TrackBall(memory)
         self.in_box = in_box
         self.branch, self.way, self.off = 'curve', 0.0, 0.0
 
     def step(self, world) -> kelpie.Command:
         ball, here = led(world.ball), point_of(world.pose)
-        self.way = run_way(world.field, ball, opponents(world))
+        self.way = run_way(world.field, ball, opponents(world, self.memory))
         self.off = wrap(self.way - direction(here, ball))
         first = ball if self.in_box else own_box.round_box(world.field, here, ball)
         if first != ball:

@@ -7,9 +7,11 @@ import pytest
 from lib import kick_table
 from lib.geom import heading
 from lib.goalie_places import beyond_box
+from lib.paths import point_of
 from lib.steer import FULL, any_way
 from roles.attacker import Attacker
 from safety.own_box import round_box
+from situation.about_ball import seen
 from situation.memory import Memory
 from situation.open_shot import KEEPS, SHOT, open_shot
 from situation.run_way import FREED, PRESSED, in_way, leaves, near_ball, pressed, run_way
@@ -22,6 +24,10 @@ MIDDLE = 0.5 * FIELD.width
 
 def run(made):
     return RunBall(Memory()).step(made).walk
+
+
+def presses(made, runs):
+    return pressed(FIELD, point_of(made.ball), seen(made), runs)
 
 
 def opponent(x, y, seen_s=0.0):
@@ -125,13 +131,13 @@ def shooter(y, offs=0.0):
 
 
 def test_from_near_a_free_ball_ahead_is_shot_at_an_open_goal():
-    kick, chance = open_shot(shooter(FIELD.length - 130.0))
+    kick, chance = open_shot(shooter(FIELD.length - 130.0), [])
     assert kelpie.KICKS[kick].leaf == 'kick_ahead' and SHOT < chance <= 1.0
 
 
 def test_one_at_the_side_is_swiped_in():
     made = world(x=110.0, y=FIELD.length - 90.0, heading=90.0, ball=(110.0, FIELD.length - 60.0))
-    kick, _ = open_shot(made)
+    kick, _ = open_shot(made, seen(made))
     assert kick in kick_table.LEFT_OF    # to the right
 
 
@@ -139,26 +145,26 @@ def test_one_at_the_side_is_swiped_in():
     shooter(200.0), world(x=MIDDLE, y=300.0, heading=90.0, ball=(MIDDLE, FIELD.length - 80.0))],
     ids=['a goal far away', 'a ball far away'])
 def test_from_far_nothing_is_shot(made):
-    assert open_shot(made) is None
+    assert open_shot(made, seen(made)) is None
 
 
 @pytest.mark.parametrize('x, y', [(MIDDLE + 5.0, -60.0), (MIDDLE + 30.0, -90.0)])
 def test_at_a_goalie_or_with_somebody_at_the_ball_it_is_run_on(x, y):
     made = shooter(FIELD.length - 130.0)
     made.opponents = [opponent(x, FIELD.length + y)]
-    assert open_shot(made) is None
+    assert open_shot(made, seen(made)) is None
 
 
 def test_a_goalie_in_the_corner_leaves_enough():
     made = shooter(FIELD.length - 130.0)
     made.opponents = [opponent(MIDDLE + 60.0, FIELD.length - 10.0)]
-    assert open_shot(made) is not None
+    assert open_shot(made, seen(made)) is not None
 
 
 def test_the_kick_that_is_played_goes_on_with_less():
     made = shooter(FIELD.length - 130.0)
-    kick, chance = open_shot(made)
-    assert open_shot(made, kick)[1] == pytest.approx(chance + KEEPS)
+    kick, chance = open_shot(made, seen(made))
+    assert open_shot(made, seen(made), kick)[1] == pytest.approx(chance + KEEPS)
 
 
 @pytest.mark.parametrize('away, leaf', [(80.0, 'run'), (150.0, 'grab_dribble_goal')])
@@ -187,9 +193,9 @@ def attacker(made):
 def test_who_runs_goes_on_until_the_ball_is_free_by_some_more():
     made = shooter(200.0)
     made.opponents = [opponent(MIDDLE + PRESSED + 0.5 * FREED, 240.0)]
-    assert pressed(made, True) and not pressed(made, False)
+    assert presses(made, True) and not presses(made, False)
     made.opponents = [opponent(MIDDLE + PRESSED - 5.0, 240.0, 2.5)]
-    assert not pressed(made, True)
+    assert not presses(made, True)
 
 
 def legs(here, place):
@@ -240,9 +246,9 @@ def test_who_runs_with_the_ball_looks_for_it_later(pressed_by, lost, state):
     assert player.playing == state
 
 
-@pytest.mark.parametrize('away, presses', [(60.0, False), (40.0, True)])
-def test_a_goalie_in_its_box_presses_from_near_by_only(away, presses):
+@pytest.mark.parametrize('away, near', [(60.0, False), (40.0, True)])
+def test_a_goalie_in_its_box_presses_from_near_by_only(away, near):
     made = shooter(FIELD.length - 150.0)
     made.opponents = [opponent(MIDDLE, FIELD.length - 110.0 + away)]
-    assert made.opponents[0].position.y > FIELD.length - FIELD.box_depth or presses
-    assert pressed(made, False) is presses
+    assert made.opponents[0].position.y > FIELD.length - FIELD.box_depth or near
+    assert presses(made, False) is near

@@ -4,21 +4,16 @@
 // opponent within 200 cm as pressing and shoots at an open goal alone, so that it runs all the way.
 #include <cmath>
 
-#include "robot/core/Random.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/team/StagedScenes.h"
 
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kWay = 250.0;    // cm
-constexpr double kLimit = 20.0;   // s
-constexpr double kWith = 70.0;    // cm from the forward to a ball that is its own
-constexpr double kStart = 140.0;  // cm, of the ball from the own goal line
-constexpr double kAside = 60.0;   // cm from the middle of the field, at most
-constexpr double kBehind = 35.0;  // cm from the ball to the forward
-constexpr double kOff = 15.0;     // cm that forward and opponent are aside of the ball, at most
-constexpr double kKeeper = 22.0;  // cm from its line to the goalie
+constexpr double kWay = 250.0;   // cm
+constexpr double kLimit = 20.0;  // s
+constexpr double kPushed = 2.0;  // cm that a ball moves which is pushed
+constexpr double kWith = 70.0;   // cm from the forward to a ball that is its own
 constexpr std::uint8_t kRunner = 2;
 
 struct Way {
@@ -32,42 +27,28 @@ Pose2 runnerOf(const PlayedMoment& moment) {
   return {};
 }
 
+// From the first push on.
 Way judge(const Played& played) {
   if (played.moments.empty()) return {};
   const PlayedMoment& first = played.moments.front();
   const double out = played.outAfter(first.seconds()).value_or(first.seconds() + kLimit);
+  double pushed = -1.0;
   for (const PlayedMoment& moment : played.moments) {
     if (moment.seconds() >= out) return {};
+    if (distance(moment.truth.ball, first.truth.ball) < kPushed) continue;
+    if (pushed < 0.0) pushed = moment.seconds();
     if (moment.truth.ball.y - first.truth.ball.y < kWay) continue;
     const bool with = distance(runnerOf(moment).position, moment.truth.ball) <= kWith;
-    return {with, kWay / (moment.seconds() - first.seconds())};
+    return {with, kWay / (moment.seconds() - pushed)};
   }
   return {};
-}
-
-// The opponent looks at who comes, within a body's width of the straight way.
-Expected<sim::StagedScene> drawn(const body::FieldDescription& field, std::uint64_t seed) {
-  Random random(seed ^ 0x7219e55ULL);
-  const double x = 0.5 * field.width + random.uniform(-kAside, kAside);
-  const Angle up = Angle::deg(90.0), down = Angle::deg(-90.0);
-  sim::StagedScene scene;
-  scene.robots = "2v1";
-  scene.seconds = kLimit;
-  scene.staging.ball = sim::Ball{{x, kStart}, {}};
-  scene.staging.places = {
-      {{TeamColour::red, 1}, {{0.5 * field.width, kKeeper}, up}},
-      {{TeamColour::red, kRunner}, {{x + random.uniform(-kOff, kOff), kStart - kBehind}, up}},
-      {{TeamColour::blue, 1}, {{x + random.uniform(-kOff, kOff), kStart + 0.5 * kWay}, down}}};
-  return scene;
 }
 
 Expected<Json> runPast(const Request& request) {
   Share kept;
   Values speeds;
   StagedScenes scenes;
-  scenes.draw = [](std::size_t, const body::FieldDescription& field, std::uint64_t seed) {
-    return drawn(field, seed);
-  };
+  scenes.draw = drawnAs({"ahead"});
   scenes.opponents = "../tools/experiments/skills/standing";
   scenes.set = {"behaviour.constants.run.pressed=200cm", "behaviour.constants.run.shot=0.9"};
   scenes.judge = [&](std::size_t, const Played& played) {

@@ -242,6 +242,14 @@ void jam(Drawing& draw) {
   draw.facing(kBlue, 2, {-180.0, 180.0}, {24.0, 36.0});
 }
 
+// Red's forward has the ball before it, an opponent 125 cm ahead of that.
+void ahead(Drawing& draw) {
+  draw.ballAt(draw.middle() + draw.in({-60.0, 60.0}), 140.0);
+  draw.keepers();
+  draw.facing(kRed, 2, {155.0, 205.0}, {30.0, 40.0});
+  draw.facing(kBlue, 2, {-7.0, 7.0}, {124.0, 126.0});
+}
+
 // The recorded attacks, on whatever field: places are shares of it, velocities stay.
 class RivalDrawing {
  public:
@@ -332,6 +340,7 @@ constexpr Kind kKinds[] = {
     {"open-line", "2v0", kShort, openLine},
     {"post", "2v1", kShort, post},
     {"jam", "2v2", kShort, jam},
+    {"ahead", "2v2", kLong, ahead},
 };
 
 std::vector<host::AgentHello> robotsOf(const StagedScene& scene) {
