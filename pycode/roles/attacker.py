@@ -11,6 +11,7 @@ from decisions.held_choice import HeldChoice
 from decisions.leaf_by_map import LeafByMap
 from lib import rulebook
 from lib.geom import from_field, heading
+from lib.goalie_places import direction
 from lib.paths import point_of
 from lib.steer import filtered, towards
 from safety.own_box import ball_outside_box
@@ -19,7 +20,7 @@ from situation.at_ball import Situation
 from situation.contested import Contested
 from situation.goal import OpponentGoal
 from situation.open_shot import open_shot
-from situation.run_way import pressed
+from situation.run_way import leaves, pressed
 from skills.ball.dribble import Dribble
 from skills.ball.find_ball import FindBall
 from skills.ball.find_together import FindTogether
@@ -52,6 +53,7 @@ FOLLOW_FROM = 30.0      # cm; not one that was left lying
 BOX_WAIT_FRAMES = 90    # who has no goalie waits so long for its ball to leave the own box
 BOX_LEFT_Y = 130.0      # cm; a ball beyond has left it for certain
 KICKS = {facts.leaf: kick for kick, facts in kelpie.KICKS.items() if facts.leaf}
+IN_MOUTH = 25.0         # cm before the goal line, from where on a push takes the ball in
 LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
 # Why the ball is looked for by who comes from another state than play.
 LEFT = {'back_off': 'the paws are free', 'localise': 'looked at a landmark',
@@ -284,7 +286,10 @@ class Attacker(RuleMachine):
         self.tree_leaf, self.tree_why = leaf, tuple(why)
         self.chosen_by = 'kept'
         others = opponents(world, self.memory) if rulebook.runs(world) else []
-        if pressed(world.field, point_of(world.ball), others, self.leaf == tree.RUN):
+        if rulebook.runs(world) and in_mouth(world.field, point_of(world.ball)):
+            self.chosen_by = 'run_way'
+            leaf, *why = pushed_in(world)
+        elif pressed(world.field, point_of(world.ball), others, self.leaf == tree.RUN):
             self.chosen_by = 'open_shot'
             leaf, *why = self.run_or_shoot(world, others)
         elif rulebook.by_kick_map(world) and world.task.grab:
@@ -342,6 +347,20 @@ class Attacker(RuleMachine):
             return self.team_search.explain(trace)
         if self.skill is not None:
             self.skill.explain(trace)
+
+
+def in_mouth(field, ball) -> bool:
+    """Whether the ball lies just before the opponents' goal line, between the posts."""
+    return (ball[1] > field.length - IN_MOUTH and
+            abs(ball[0] - 0.5 * field.width) < 0.5 * field.goal_width)
+
+
+def pushed_in(world) -> tuple:
+    """(leaf, reason) of a ball in the mouth: neither a grab nor a kick is as sure as a push."""
+    ball = point_of(world.ball)
+    if leaves(world.field, ball, direction(point_of(world.pose), ball)):
+        return tree.RUN, 'pushed straight on the ball would miss the goal'
+    return tree.DRIBBLE, 'the ball is in the mouth'
 
 
 def has_goalie(world) -> bool:

@@ -15,6 +15,7 @@ from skills.head.track_ball import TrackBall
 
 CLEAR = 17.0         # cm from a post to the way of a neck: half a body, and what the pose is wrong,
 LEFT = 3.0           # cm more until the way is free again
+BESIDE = 8.0         # cm before the ball, from where on a post is beside it and in nobody's way
 BEFORE = 38.0        # cm before the goal line that the place lies: a robot's length and the paws
 EDGE = 16.0          # cm from a side line
 GAIN = 4.0           # cm/s for each cm that is left
@@ -26,15 +27,17 @@ def posts(field) -> tuple:
     return tuple((0.5 * field.width + side * half, field.length) for side in (-1.0, 1.0))
 
 
-def in_way(field, here, ball, clear) -> bool:
-    """Whether a post stands so near beside the straight way to the ball, before it."""
+def in_way(field, here, ball, more) -> bool:
+    """Whether a post stands beside the straight way to the ball, clearly before it. `more`: cm by
+    which both count later, for who goes round it already."""
     way = math.dist(here, ball)
     if way < 1.0:
         return False
     ux, uy = (ball[0] - here[0]) / way, (ball[1] - here[1]) / way
     for x, y in posts(field):
         dx, dy = x - here[0], y - here[1]
-        if -CLEAR < dx * ux + dy * uy < way and abs(dx * uy - dy * ux) < clear:
+        ahead, aside = dx * ux + dy * uy, abs(dx * uy - dy * ux)
+        if -CLEAR < ahead < way - BESIDE + more and aside < CLEAR + more:
             return True
     return False
 
@@ -43,7 +46,7 @@ def needed(world, goes_round=False) -> bool:
     """`goes_round`: it does so already."""
     ball = world.ball
     return ball.present and in_way(world.field, point_of(world.pose), point_of(ball),
-                                   CLEAR + (LEFT if goes_round else 0.0))
+                                   LEFT if goes_round else 0.0)
 
 
 class RoundPost(Skill):

@@ -9,7 +9,7 @@ from lib.geom import heading
 from lib.goalie_places import beyond_box
 from lib.paths import point_of
 from lib.steer import FULL, any_way
-from roles.attacker import Attacker
+from roles.attacker import Attacker, in_mouth
 from safety.own_box import round_box
 from situation.about_ball import seen
 from situation.memory import Memory
@@ -252,3 +252,21 @@ def test_a_goalie_in_its_box_presses_from_near_by_only(away, near):
     made.opponents = [opponent(MIDDLE, FIELD.length - 110.0 + away)]
     assert made.opponents[0].position.y > FIELD.length - FIELD.box_depth or near
     assert presses(made, False) is near
+
+
+def at_mouth(x, y, from_x, from_y):
+    made = world(x=from_x, y=from_y, heading=90.0, ball=(x, y))
+    made.task.run = True
+    return made
+
+
+@pytest.mark.parametrize('from_x, leaf', [(MIDDLE, 'dribble'), (MIDDLE - 70.0, 'run')])
+def test_a_ball_in_the_mouth_is_pushed_in_and_from_aside_gone_round_first(from_x, leaf):
+    made = at_mouth(MIDDLE + 10.0, FIELD.length - 12.0, from_x, FIELD.length - 45.0)
+    assert attacker(made).leaf == leaf
+
+
+@pytest.mark.parametrize('x, y', [(0.5 * FIELD.goal_width + 2.0, -10.0), (0.0, -30.0)])
+def test_beside_the_mouth_or_farther_out_it_is_not(x, y):
+    assert in_mouth(FIELD, (MIDDLE, FIELD.length - 10.0))
+    assert not in_mouth(FIELD, (MIDDLE + x, FIELD.length + y))

@@ -39,7 +39,7 @@ def test_a_post_is_in_the_way_of_who_comes_from_beside_the_goal(here, ball, stan
 
 def test_the_way_of_who_goes_round_is_free_a_little_later():
     for y in range(80):
-        made = world(x=RIGHT[0] + 30.0, y=LINE - 5.0 - y, ball=IN_MOUTH)
+        made = world(x=RIGHT[0] + 60.0, y=LINE - 5.0 - y, ball=IN_MOUTH)
         if not round_post.needed(made):
             break
     assert y > 10.0 and round_post.needed(made, goes_round=True)
