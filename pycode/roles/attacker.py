@@ -10,7 +10,7 @@ from decisions import tree
 from decisions.held_choice import HeldChoice
 from decisions.leaf_by_map import LeafByMap
 from lib import rulebook
-from lib.geom import from_field, heading
+from lib.geom import from_field, heading, wrap
 from lib.goalie_places import direction
 from lib.paths import point_of
 from lib.steer import filtered, towards
@@ -54,6 +54,7 @@ BOX_WAIT_FRAMES = 90    # who has no goalie waits so long for its ball to leave 
 BOX_LEFT_Y = 130.0      # cm; a ball beyond has left it for certain
 KICKS = {facts.leaf: kick for kick, facts in kelpie.KICKS.items() if facts.leaf}
 IN_MOUTH = 25.0         # cm before the goal line, from where on a push takes the ball in
+GRAZES = 45.0           # deg off up-field, from where on it is rather pushed along the line
 LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
 # Why the ball is looked for by who comes from another state than play.
 LEFT = {'back_off': 'the paws are free', 'localise': 'looked at a landmark',
@@ -358,7 +359,8 @@ def in_mouth(field, ball) -> bool:
 def pushed_in(world) -> tuple:
     """(leaf, reason) of a ball in the mouth: neither a grab nor a kick is as sure as a push."""
     ball = point_of(world.ball)
-    if leaves(world.field, ball, direction(point_of(world.pose), ball)):
+    on = direction(point_of(world.pose), ball)
+    if leaves(world.field, ball, on) or abs(wrap(on - 90.0)) > GRAZES:
         return tree.RUN, 'pushed straight on the ball would miss the goal'
     return tree.DRIBBLE, 'the ball is in the mouth'
 
