@@ -3,7 +3,7 @@
 # the last images showed where no mate is. From in front a robot of white body shows next to no
 # uniform: of an opponent 125 cm ahead of the ball, who looks at it, nothing else is known. Keeps
 # nothing; the feet are the memory's. Some are nobody's: points by a line, or of who has left; the
-# obstacle map, which forgets more slowly, has more of them. A mate that is not heard of is taken for
+# obstacle map, which forgets slowly, has more of them. A mate that is not heard of is taken for
 # an opponent.
 import math
 
