@@ -49,6 +49,9 @@ def test_scenes_are_played_in_turn_until_one_side_is_known_to_be_better(field):
     refused = field.farm('play', *words, '--scenes', 'edge,party')
     assert refused.returncode == 2
     assert refused.stderr == 'kelpie: --scenes party: there are edge, scrum\n'
+    refused = field.farm('play', *words, '--scenes', ',')
+    assert refused.returncode == 2
+    assert refused.stderr == 'kelpie: --scenes ,: all, or some of edge, scrum\n'
 
 
 @pytest.mark.parametrize('words, complaint', [

@@ -81,3 +81,16 @@ def test_who_only_reads_makes_no_file(tmp_path):
     with pytest.raises(Trouble, match='no such file'):
         Store(tmp_path / 'none.sqlite')
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize('text', ['{', '[1]', '{"trouble": ""}', '""'])
+def test_a_damaged_row_is_told_in_one_line(tmp_path, text):
+    store = Store(tmp_path / 'farm.sqlite', writes=True)
+    store.add('t', 5, 'red', WON)
+    store.base.execute('update matches set result = ?', (text,))
+    with pytest.raises(Trouble, match='damaged: a row says'):
+        store.results('t')
+    store.begin('t', {'seed': 1})
+    store.base.execute("update tests set plan = '{nope'")
+    with pytest.raises(Trouble, match='damaged: a row says'):
+        store.tests()

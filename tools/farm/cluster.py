@@ -20,6 +20,7 @@ except ImportError:
 
 ADDRESS = re.compile(r'(tcp|tls)://[^/:]+:\d{1,5}')
 CONNECTING = 30.0      # s of waiting for a scheduler
+ONE_TRY = 5.0          # s of each try; a client that never connected waits twice that at its end
 LOOK = 2.0             # s between looks at how many workers there are
 
 
@@ -66,7 +67,7 @@ class Cluster:
         """Only where something listens does Dask try, whose failed tries leave threads behind."""
         host, port = self.address.split('://')[1].rsplit(':', 1)
         socket.create_connection((host, int(port)), timeout=2.0).close()
-        self.client = distributed.Client(self.address, timeout=CONNECTING, set_as_default=False)
+        self.client = distributed.Client(self.address, timeout=ONE_TRY, set_as_default=False)
 
     def _keep_children(self):
         if self.children:
@@ -138,7 +139,7 @@ class Cluster:
             try:
                 client.close(timeout=1.0)
             except Exception:  # pylint: disable=broad-except
-                pass           # it was broken
+                client.status = 'closed'   # it was broken; else its end waits for it once more
         self.looked = -LOOK
 
     def close(self):

@@ -86,6 +86,8 @@ def workers_here(world):
 def asked_scenes(words, known):
     """Kinds, in the order of `known`; none: matches."""
     kinds = known if words == 'all' else [word for word in words.split(',') if word]
+    if words and not kinds:
+        raise Trouble(f"--scenes {words}: all, or some of {', '.join(known)}")
     for kind in kinds:
         if kind not in known:
             raise Trouble(f"--scenes {kind}: there are {', '.join(known)}")
@@ -112,8 +114,7 @@ def asked_plan(options):
 
 def play(options):
     plan = asked_plan(options)
-    folder = Path(options.out)
-    store = Store(folder / FILE, writes=True)
+    folder, store = opened_store(options)
     store.begin(plan.id, plan._asdict())
     if options.again:
         store.forget_voids(plan.id)
@@ -132,6 +133,14 @@ def play(options):
         say('kelpie: stopped; the same command goes on')
         return INTERRUPTED
     return DONE if decided else UNDECIDED
+
+
+def opened_store(options):
+    """(folder, store) to write to, once all else that was asked for is right."""
+    if options.scheduler:
+        check_address(options.scheduler)
+    folder = Path(options.out)
+    return folder, Store(folder / FILE, writes=True)
 
 
 def opened_cluster(options, folder):
@@ -156,8 +165,7 @@ def other_than(folder):
 def search(options):
     found = described(options.groups)
     asked = asked_search(options)
-    folder = Path(options.out)
-    store = Store(folder / FILE, writes=True)
+    folder, store = opened_store(options)
     stop = Stop()
     say(words.search(asked, found))
     sampler = sampler_of(options.sampler, found, options.seed)
@@ -245,6 +253,12 @@ def show_scaling(options):
     for workers in options.workers:
         print(json.dumps(scaling(workers, options.seconds)), flush=True)
     return DONE
+
+
+def named_folder(text):
+    if not text:
+        raise argparse.ArgumentTypeError('a folder')
+    return text
 
 
 def add_search(commands):
@@ -354,7 +368,7 @@ def parser():
     add_variant(commands)
     add_figures(commands)
     for command in commands.choices.values():
-        command.add_argument('--out', default='out/farm', metavar='FOLDER',
+        command.add_argument('--out', default='out/farm', metavar='FOLDER', type=named_folder,
                              help='of results and logs (out/farm)')
     return made
 

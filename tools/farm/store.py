@@ -89,12 +89,22 @@ class Store:
     def tests(self):
         """[(id, plan, begun)], oldest first."""
         rows = self.base.execute('select id, plan, begun from tests order by begun')
-        return [(test, json.loads(plan), begun) for test, plan, begun in rows]
+        return [(test, self._read(plan), begun) for test, plan, begun in rows]
 
     def results(self, test):
         """{(seed, colour): result}"""
         rows = self.base.execute('select seed, colour, result from matches where test = ?', (test,))
-        return {(seed, colour): json.loads(result) for seed, colour, result in rows}
+        return {(seed, colour): self._read(result, is_result) for seed, colour, result in rows}
+
+    def _read(self, text, is_one=bool):
+        """What a row holds as JSON; a damaged file is told in one line."""
+        try:
+            read = json.loads(text)
+        except ValueError:
+            read = None
+        if not isinstance(read, dict) or not is_one(read):
+            raise Trouble(f'{self.path}: damaged: a row says {text[:40]!r}')
+        return read
 
     def add_champion(self, champion, search):
         row = (champion.folder, search, json.dumps(champion.vector), champion.gain, champion.low,
@@ -111,6 +121,10 @@ class Store:
         """When each match was written, in order; s since 1970."""
         rows = self.base.execute('select at from matches where test = ? order by at', (test,))
         return [at for at, in rows]
+
+
+def is_result(read):
+    return bool(read.get('trouble')) or {'trouble', 'red_goals', 'blue_goals'} <= read.keys()
 
 
 def lock_path(path):

@@ -36,7 +36,8 @@ def rulebook_without(text, rules):
     lines = text.splitlines(keepends=True)
     for rule in rules:
         if rule not in books['Thesis'] or rule == 'THESIS':
-            raise Trouble(f"--without {rule}: rules are {', '.join(sorted(books['Kelpie']))}")
+            known = sorted(set(books['Kelpie']) - {'THESIS'})
+            raise Trouble(f"--without {rule}: rules are {', '.join(known)}")
         line, value = books['Kelpie'][rule]
         lines[line] = lines[line].replace(f'{rule} = {value}',
                                           f"{rule} = {books['Thesis'][rule][1]}", 1)

@@ -26,7 +26,7 @@ cli::SessionOptions sessionFor(const Request& request, const StagedScenes& scene
   session.set.insert(session.set.end(), scenes.set.begin(), scenes.set.end());
   cli::useRules("2005", session);
   const Status staged = stage(request, scenes, static_cast<std::size_t>(number % kinds), session);
-  if (!staged) session.pycode = request.sideA;  // what is wrong with it the session says itself
+  if (!staged) session.pycode = request.sideA;  // playScenes() has asked before
   return session;
 }
 
@@ -40,6 +40,9 @@ DrawScene drawnAs(std::vector<std::string> kinds) {
 }
 
 Status playScenes(const Request& request, const StagedScenes& scenes) {
+  cli::SessionOptions first = sessionOf(request, trialOf(request, 0));
+  const Status staged = stage(request, scenes, 0, first);
+  if (!staged) return staged;
   const auto kinds = static_cast<int>(scenes.kinds);
   Matches matches;
   matches.count = kinds * request.trials;
