@@ -18,7 +18,7 @@ def test_each_kind_is_played_in_both_colours_and_against_statues_a_team_scores(t
                   "1", "--seed", "4", "--json", out, timeout=600)
     assert done.returncode == 0, done.stderr
     figures = json.loads(out.read_text())
-    assert figures["scenes"] == 2 * len(figures["kinds"]) == 28
+    assert figures["scenes"] == 2 * len(figures["kinds"]) == 38
     assert figures["goals_for"] >= 0.1 and figures["goals_against"] == 0.0
     low, mean, high = (figures["goals_difference" + end] for end in ("_low", "", "_high"))
     assert low <= mean <= high and mean > 0.0
