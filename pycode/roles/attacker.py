@@ -286,13 +286,9 @@ class Attacker(RuleMachine):
         leaf, self.tree_place, *why = tree.decide(situation)
         self.tree_leaf, self.tree_why = leaf, tuple(why)
         self.chosen_by = 'kept'
-        others = opponents(world, self.memory) if rulebook.runs(world) else []
-        if rulebook.runs(world) and in_mouth(world.field, point_of(world.ball)):
-            self.chosen_by = 'run_way'
-            leaf, *why = pushed_in(world)
-        elif pressed(world.field, point_of(world.ball), others, self.leaf == tree.RUN):
-            self.chosen_by = 'open_shot'
-            leaf, *why = self.run_or_shoot(world, others)
+        run = self.run_choice(world) if rulebook.runs(world) else None
+        if run is not None:
+            self.chosen_by, leaf, *why = run
         elif rulebook.by_kick_map(world) and world.task.grab:
             self.chosen_by = 'leaf_by_map'
             leaf, *why = self.by_map.choose(world, situation, leaf, self.leaf)
@@ -305,6 +301,17 @@ class Attacker(RuleMachine):
             self.leaf_why = tuple(why)
         elif leaf == self.leaf:
             self.leaf_why = tuple(why)
+
+    def run_choice(self, world) -> tuple | None:
+        """(who says so, leaf, reason, *numbers) of who runs with the ball; None: there is time for
+        a grab."""
+        field, ball = world.field, point_of(world.ball)
+        if in_mouth(field, ball):
+            return 'run_way', *pushed_in(world)
+        others = opponents(world, self.memory)
+        if pressed(field, ball, others, self.leaf == tree.RUN):
+            return 'open_shot', *self.run_or_shoot(world, others)
+        return None
 
     def run_or_shoot(self, world, others) -> tuple:
         """(leaf, reason, *numbers) of who runs with the ball: a grab takes longer than who presses

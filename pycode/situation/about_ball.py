@@ -25,7 +25,7 @@ def seen(world) -> list:
 
 def opponents(world, memory) -> list:
     found = seen(world)
-    feet = feet_of_others(world, memory)
+    feet = feet_of_others(world, memory, found)
     while feet:
         x, y, _ = feet[-1]    # of the newest image
         body = [foot for foot in feet if math.hypot(foot[0] - x, foot[1] - y) < FOOT]
@@ -37,10 +37,10 @@ def opponents(world, memory) -> list:
     return found
 
 
-def feet_of_others(world, memory) -> list:
+def feet_of_others(world, memory, known) -> list:
     """(x, y, image) near the ball that neither a mate's nor a known opponent's are."""
     ball, top = world.ball.position, world.field.length - FROM_LINE
-    mates, known = [point_of(mate.pose) for mate in world.teammates], seen(world)
+    mates = [point_of(mate.pose) for mate in world.teammates]
     return [foot for foot in memory.feet
             if abs(foot[0] - ball.x) < REACH and abs(foot[1] - ball.y) < REACH and
             FROM_LINE < foot[1] < top and not near(foot, mates, MATE) and

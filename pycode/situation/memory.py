@@ -8,6 +8,7 @@
 import math
 
 import kelpie
+from lib import rulebook
 from lib.geom import to_field
 
 # Who calls which method, and with it is the writer of what that changes.
@@ -62,7 +63,8 @@ class Memory:
         self.grab_lost += 1
         self.localised_lost += 1
         self._see(world)
-        self._see_feet(world)
+        if rulebook.runs(world):    # nobody else asks for them
+            self._see_feet(world)
         self.chest += IR_SHARE * (world.sensors.chest_distance - self.chest)
         self.ir += IR_SHARE * (world.sensors.head_near_distance - self.ir)
         if abs(world.last_command.walk.turn_deg) > BIG_TURN_DEG:

@@ -37,3 +37,10 @@ def facing_up_point(degrees, ball=(180.0, 150.0), away=30.0, offset=60.0):
     made = world(ball[0], ball[1] - away, 90.0 - degrees, ball)
     assert offset > 0.0
     return made
+
+
+def opponent(x, y, seen_s=0.0):
+    """One that was seen so long ago, at a place of the field."""
+    one = kelpie.OpponentEstimate()
+    one.position.x, one.position.y, one.seconds_since_seen = x, y, seen_s
+    return one

@@ -5,6 +5,7 @@
 
 #include "robot/core/Random.h"
 #include "tools/sim/rules/MatchScene.h"
+#include "tools/sim/staging/Scenes.h"
 
 namespace kelpie::cli {
 namespace {
@@ -34,29 +35,23 @@ void tell(const sim::RobotPlace& place, const std::vector<std::string>& words,
 
 }  // namespace
 
-Status useScene(const std::string& kind, const TeamPlan& plan, SessionOptions& options) {
+Status useScene(const std::string& kind, TeamPlan plan, SessionOptions& options) {
   const auto field = body::fieldDescription(options.field);
   if (!field) return Error{field.error()};
   const auto scene = sim::drawScene(kind, *field, options.seed);
   if (!scene) return Error{scene.error()};
-  return useScene(*scene, plan, options);
-}
-
-Status useScene(const sim::StagedScene& scene, TeamPlan plan, SessionOptions& options) {
-  const auto field = body::fieldDescription(options.field);
-  if (!field) return Error{field.error()};
-  const auto counts = teamPlan(scene.robots);
+  const auto counts = teamPlan(scene->robots);
   if (!counts) return Error{counts.error()};
   plan.red = counts->red;
   plan.blue = counts->blue;
   const Status used = useTeams(plan, options);
   if (!used) return used;
   options.fromPlay = true;
-  options.staging = scene.staging;
-  options.seconds = scene.seconds;
+  options.staging = scene->staging;
+  options.seconds = scene->seconds;
   options.goals = 1;
   Random random(Random(options.seed ^ 0x7e11ULL).next());
-  for (const sim::RobotPlace& place : scene.staging.places) {
+  for (const sim::RobotPlace& place : scene->staging.places) {
     std::vector<std::string> told =
         beliefOf(sim::ownView(*field, place.robot.team, place.pose), random);
     if (place.robot.player == 1) told.emplace_back(kKeeps);  // also its team's only robot

@@ -8,13 +8,11 @@
 
 #include "robot/core/Expected.h"
 #include "tools/session/Teams.h"
-#include "tools/sim/staging/Scenes.h"
 
 namespace kelpie::cli {
 
 // `plan`: the folders; how many play is the scene's to say. The seed and the field are those of the
 // session.
-Status useScene(const std::string& kind, const TeamPlan& plan, SessionOptions& options);
-Status useScene(const sim::StagedScene& scene, TeamPlan plan, SessionOptions& options);
+Status useScene(const std::string& kind, TeamPlan plan, SessionOptions& options);
 
 }  // namespace kelpie::cli

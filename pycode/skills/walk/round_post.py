@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # Goes round a post of the opponents' goal to a ball behind it: first to a place before the ball, up
 # to which the way is free, facing the ball. Keeps how far that is, for the trace. A robot whose
-# shoulder leans on a post walks on the spot, 14 cm from the ball, until the referee ends it. Fails
-# by what the pose is wrong beyond CLEAR.
+# shoulder leans on a post walks on the spot until the referee ends it. Fails by what the pose is
+# wrong beyond CLEAR.
 import math
 
 import kelpie
 from arbiter.skill import Skill
 from lib.geom import clamp, wrap
 from lib.goalie_places import direction
+from lib.goalie_places import posts as own_posts
 from lib.paths import point_of
 from lib.steer import FULL, any_way
 from skills.head.track_ball import TrackBall
@@ -23,8 +24,7 @@ GAIN = 4.0           # cm/s for each cm that is left
 
 def posts(field) -> tuple:
     """(x, y) of the two, cm on the field."""
-    half = 0.5 * field.goal_width
-    return tuple((0.5 * field.width + side * half, field.length) for side in (-1.0, 1.0))
+    return tuple((x, field.length) for x, _ in own_posts(field))
 
 
 def in_way(field, here, ball, more) -> bool:

@@ -5,7 +5,7 @@ import pytest
 from lib.geom import from_field, to_field
 from situation.about_ball import BODY, FOOT, IMAGES, REACH, opponents
 from situation.memory import FEET_KEPT, FEET_TO, Memory
-from situations import world
+from situations import opponent, world
 
 BALL = 180.0, 260.0
 HERE = 185.0, 325.0
@@ -16,6 +16,7 @@ def show(made, memory, *feet, images=IMAGES):
     made.percepts.obstacles = [
         kelpie.ObstaclePoint(position=kelpie.Point2(x=x, y=y))
         for x, y in (from_field(made.pose, *foot) for foot in feet)]
+    made.task.run = True
     for _ in range(images):
         memory.update(made)
     return memory
@@ -24,12 +25,6 @@ def show(made, memory, *feet, images=IMAGES):
 def there(*feet, images=IMAGES, made=None):
     made = world(ball=BALL) if made is None else made
     return opponents(made, show(made, Memory(), *feet, images=images))
-
-
-def opponent(x, y, seen_s=0.0):
-    one = kelpie.OpponentEstimate()
-    one.position.x, one.position.y, one.seconds_since_seen = x, y, seen_s
-    return one
 
 
 def mate(x, y):

@@ -15,7 +15,7 @@ from situation.about_ball import seen
 from situation.memory import Memory
 from situation.open_shot import KEEPS, SHOT, open_shot
 from situation.run_way import FREED, PRESSED, in_way, leaves, near_ball, pressed, run_way
-from situations import world
+from situations import opponent, world
 from skills.ball.run_ball import BEHIND, ROUND, RunBall, aside, led
 
 FIELD = kelpie.FIELDS['2006']
@@ -28,12 +28,6 @@ def run(made):
 
 def presses(made, runs):
     return pressed(FIELD, point_of(made.ball), seen(made), runs)
-
-
-def opponent(x, y, seen_s=0.0):
-    one = kelpie.OpponentEstimate()
-    one.position.x, one.position.y, one.seconds_since_seen = x, y, seen_s
-    return one
 
 
 def test_a_free_ball_goes_straight_to_the_goal():

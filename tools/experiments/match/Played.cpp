@@ -116,6 +116,12 @@ std::vector<Shot> shotsOf(const Played& played, TeamColour team) {
   return shots;
 }
 
+const Pose2* redPose(const sim::TruthFrame& truth, std::uint8_t player) {
+  for (const sim::RobotTruth& robot : truth.robots)
+    if (robot.team == TeamColour::red && robot.player == player) return &robot.pose;
+  return nullptr;
+}
+
 const sim::RobotTruth& nearestToBall(const sim::TruthFrame& truth) {
   return *std::min_element(truth.robots.begin(), truth.robots.end(),
                            [&](const sim::RobotTruth& a, const sim::RobotTruth& b) {

@@ -57,6 +57,9 @@ struct Shot {
 // does not give.
 std::vector<Shot> shotsOf(const Played& played, TeamColour team);
 
+// Of that red robot; null when there is none.
+const Pose2* redPose(const sim::TruthFrame& truth, std::uint8_t player);
+
 // Of the robots, of which there is one at least.
 const sim::RobotTruth& nearestToBall(const sim::TruthFrame& truth);
 

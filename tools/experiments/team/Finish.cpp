@@ -24,8 +24,7 @@ void judge(const Played& played, Finished& finished) {
 Expected<Json> finish(const Request& request) {
   std::array<Finished, 2> found;
   StagedScenes scenes;
-  scenes.kinds = 2;
-  scenes.draw = drawnAs({"finish", "open-line"});
+  scenes.kinds = {"finish", "open-line"};
   scenes.opponents = "thesis";
   scenes.judge = [&](std::size_t kind, const Played& played) { judge(played, found[kind]); };
   const Status done = playScenes(request, scenes);

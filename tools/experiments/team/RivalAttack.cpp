@@ -9,10 +9,9 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kAt = 40.0;      // cm from the neck base to a ball that a robot has
-constexpr double kHasFor = 0.5;   // s
-constexpr double kSoon = 6.0;     // s
-constexpr double kNever = 100.0;  // s, of a ball that is not won: longer than a scene
+constexpr double kAt = 40.0;     // cm from the neck base to a ball that a robot has
+constexpr double kHasFor = 0.5;  // s
+constexpr double kSoon = 6.0;    // s
 
 struct Attacks {
   Share conceded, scored, wonSoon;
@@ -47,7 +46,7 @@ void judge(const Played& played, Attacks& attacks) {
 Expected<Json> rivalAttack(const Request& request) {
   Attacks attacks;
   StagedScenes scenes;
-  scenes.draw = drawnAs({"rival-attack"});
+  scenes.kinds = {"rival-attack"};
   scenes.opponents = "runner";
   scenes.judge = [&](std::size_t, const Played& played) { judge(played, attacks); };
   const Status done = playScenes(request, scenes);

@@ -2,8 +2,6 @@
 // Running with the ball: one forward (--a) pushes it 250 cm up-field past an opponent who stands in
 // the way. How fast the ball gets there, and whether it is the forward's still. It takes an
 // opponent within 200 cm as pressing and shoots at an open goal alone, so that it runs all the way.
-#include <cmath>
-
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/team/StagedScenes.h"
 
@@ -21,12 +19,6 @@ struct Way {
   double speed = 0.0;  // cm/s, net
 };
 
-Pose2 runnerOf(const PlayedMoment& moment) {
-  for (const sim::RobotTruth& one : moment.truth.robots)
-    if (one.team == TeamColour::red && one.player == kRunner) return one.pose;
-  return {};
-}
-
 // From the first push on.
 Way judge(const Played& played) {
   if (played.moments.empty()) return {};
@@ -38,8 +30,9 @@ Way judge(const Played& played) {
     if (distance(moment.truth.ball, first.truth.ball) < kPushed) continue;
     if (pushed < 0.0) pushed = moment.seconds();
     if (moment.truth.ball.y - first.truth.ball.y < kWay) continue;
-    const bool with = distance(runnerOf(moment).position, moment.truth.ball) <= kWith;
-    return {with, kWay / (moment.seconds() - pushed)};
+    const Pose2* runner = redPose(moment.truth, kRunner);
+    return {runner != nullptr && distance(runner->position, moment.truth.ball) <= kWith,
+            kWay / (moment.seconds() - pushed)};
   }
   return {};
 }
@@ -48,7 +41,7 @@ Expected<Json> runPast(const Request& request) {
   Share kept;
   Values speeds;
   StagedScenes scenes;
-  scenes.draw = drawnAs({"ahead"});
+  scenes.kinds = {"ahead"};
   scenes.opponents = "../tools/experiments/skills/standing";
   scenes.set = {"behaviour.constants.run.pressed=200cm", "behaviour.constants.run.shot=0.9"};
   scenes.judge = [&](std::size_t, const Played& played) {

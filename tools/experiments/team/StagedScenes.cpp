@@ -9,17 +9,13 @@ namespace {
 
 Status stage(const Request& request, const StagedScenes& scenes, std::size_t kind,
              cli::SessionOptions& session) {
-  const auto field = body::fieldDescription(session.field);
-  if (!field) return Error{field.error()};
-  const auto scene = scenes.draw(kind, *field, session.seed);
-  if (!scene) return Error{scene.error()};
   const std::string a = sideOr(request.sideA, "kelpie");
   const std::string b = sideOr(request.sideB, scenes.opponents);
-  return cli::useScene(*scene, {0, 0, a, b}, session);
+  return cli::useScene(scenes.kinds[kind], {0, 0, a, b}, session);
 }
 
 cli::SessionOptions sessionFor(const Request& request, const StagedScenes& scenes, int number) {
-  const auto kinds = static_cast<int>(scenes.kinds);
+  const auto kinds = static_cast<int>(scenes.kinds.size());
   cli::SessionOptions session = sessionOf(request, trialOf(request, number / kinds));
   session.percepts = request.fast;
   session.keepFrames = true;
@@ -32,18 +28,11 @@ cli::SessionOptions sessionFor(const Request& request, const StagedScenes& scene
 
 }  // namespace
 
-DrawScene drawnAs(std::vector<std::string> kinds) {
-  return [kinds = std::move(kinds)](std::size_t kind, const body::FieldDescription& field,
-                                    std::uint64_t seed) {
-    return sim::drawScene(kinds[kind], field, seed);
-  };
-}
-
 Status playScenes(const Request& request, const StagedScenes& scenes) {
   cli::SessionOptions first = sessionOf(request, trialOf(request, 0));
   const Status staged = stage(request, scenes, 0, first);
   if (!staged) return staged;
-  const auto kinds = static_cast<int>(scenes.kinds);
+  const auto kinds = static_cast<int>(scenes.kinds.size());
   Matches matches;
   matches.count = kinds * request.trials;
   matches.session = [&](int number) { return sessionFor(request, scenes, number); };

@@ -10,9 +10,8 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kFree = 50.0;    // cm
-constexpr double kSoon = 6.0;     // s
-constexpr double kNever = 100.0;  // s: longer than a scene
+constexpr double kFree = 50.0;  // cm
+constexpr double kSoon = 6.0;   // s
 
 double freeAfter(const Played& played) {
   if (played.moments.empty()) return kNever;
@@ -32,8 +31,7 @@ struct Freed {
 Expected<Json> stalemate(const Request& request) {
   std::array<Freed, 2> found;
   StagedScenes scenes;
-  scenes.kinds = 2;
-  scenes.draw = drawnAs({"post", "jam"});
+  scenes.kinds = {"post", "jam"};
   scenes.opponents = "thesis";
   scenes.judge = [&](std::size_t kind, const Played& played) {
     const double after = freeAfter(played);

@@ -12,12 +12,6 @@ constexpr double kAtHome = 30.0;  // cm, where the walk home ends
 constexpr double kTouching = 2.0 * sim::kStripeHalfWidth + 3.0;
 constexpr double kApart = 0.5;  // s
 
-const Pose2* redPose(const sim::TruthFrame& truth, std::uint8_t player) {
-  for (const sim::RobotTruth& robot : truth.robots)
-    if (robot.team == TeamColour::red && robot.player == player) return &robot.pose;
-  return nullptr;
-}
-
 bool touchesBlue(const sim::TruthFrame& truth, const Pose2& pose) {
   for (const sim::RobotTruth& robot : truth.robots)
     if (robot.team == TeamColour::blue && sim::stripeDistance(pose, robot.pose) < kTouching)
