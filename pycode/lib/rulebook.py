@@ -29,6 +29,7 @@ class Kelpie:
     RECEIVES = True            # who is to get a pass waits for it
     FEELS_HELD = True          # who is held backs off as from paws; nobody backs time and again
     ATTACKER_BACKS = True      # so does an attacker
+    ROUNDS_BOX = True          # an attacker goes round the own box to a ball beyond it, and
     ROUNDS_POSTS = True        # an attacker goes round a post to a ball behind it
     # The goalies (thesis 2006 section 4.3.1, thesis 2004 section 4.2)
     WATCHES_POSE = True        # doubts a pose that jumps or is lost, and surveys the landmarks then
@@ -88,6 +89,7 @@ class Thesis(Kelpie):
     RECEIVES = False
     FEELS_HELD = False
     ATTACKER_BACKS = False
+    ROUNDS_BOX = False
     ROUNDS_POSTS = False
     WATCHES_POSE = False
     YIELDS = False

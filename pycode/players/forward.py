@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 # A player of the field (pForward, thesis 2006 figure 4.1 and section 4.4): gets up when it has
 # fallen, walks to its place before a kick-off, waits while play is halted, and plays the role that
-# it chooses; alone it is the attacker. Keeps the memory, the role with its choice, and the way to
-# its place. Tells the team in each frame what it is about to do. The trace of each Command says
-# why, from here down to the skill.
+# it chooses; alone it is the attacker. Keeps the memory, the role with its choice, which team has
+# the ball, and the way to its place. Tells the team in each frame what it is about to do. The trace
+# of each Command says why, from here down to the skill.
 import kelpie
 from arbiter.rules import RuleMachine, holds
 from decisions.roles import NAMES, RoleChoice
+from lib import rulebook
 from roles.attacker import Attacker
 from roles.supporter import Supporter
 from situation import time_to
 from situation.memory import Memory
+from situation.possession import Possession
 from skills.head.watch import Scan
 from skills.motion.get_up import GetUp
 from skills.walk.take_place import TakePlace
@@ -54,6 +56,7 @@ class Forward(RuleMachine):
     def start_over(self):
         """Whatever interrupted it left nothing of its role."""
         self.choice = RoleChoice()
+        self.possession = Possession(self.memory)
         self.role = Attacker(self.memory)
         self.place = None
 
@@ -88,10 +91,12 @@ class Forward(RuleMachine):
 
     def plays(self, world):
         self.place = None
+        if rulebook.follows_play(world):
+            self.possession.update(world)
         role = self.choice.update(world, self.memory, self.role.committed)
         if role != role_of(self.role):
             self.role = (Attacker(self.memory) if role == kelpie.ATTACKER else
-                         Supporter(self.memory, role))
+                         Supporter(self.memory, role, self.possession))
         self.with_mates = len(world.teammates) > 0
         command = self.role.step(world)
         self.tell(world, command.team)
@@ -102,6 +107,7 @@ class Forward(RuleMachine):
             why = self.choice.why if self.with_mates else (self.why,)
             branch = NAMES[self.choice.role] if self.with_mates else 'plays'
             trace.append((self.LAYER, self.NAME, branch, *why))
+            self.possession.explain(trace)
             self.role.explain(trace)
         elif self.state == self.takes_place:
             waits = self.place.state == self.place.set
@@ -117,6 +123,7 @@ class Forward(RuleMachine):
         note.time_to_ball = self.choice.seconds
         note.grabs = time_to.grabs_now(world, self.memory)
         note.pass_to = self.role.pass_to
+        note.possession = self.possession.own
         wanted = self.role.wanted(world) if world.game.state == kelpie.PLAYING else None
         if wanted is not None:
             note.wants, note.wanted.x, note.wanted.y = True, wanted[0], wanted[1]

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # The goalie of 2006 (thesis 2006 section 4.3.1, algorithm 4.1): in every frame the first of RULES
 # that holds says what it does. A ball that it has lost is guarded against where its mates see it.
-# Keeps the state, the situation and its head. It never leaves its box (checklist K07); it fails as
-# the pose does, and against shots from so near that the ball is past before a block lies.
+# Keeps the state, the situation, which team has the ball, and its head. It never leaves its box
+# (checklist K07); it fails as the pose does, and against shots from so near that the ball is past
+# before a block lies.
 import kelpie
 from arbiter.rules import RuleMachine
 from decisions import goalie_rules as rules
@@ -16,6 +17,7 @@ from safety.own_goal import faces_reported_ball, hold_position, no_own_goal
 from situation.goalie import GoalieSituation
 from situation.memory import Memory
 from situation.opponents import at_ball
+from situation.possession import Possession
 from situation.shot import coming
 from skills.ball.attack_ball import AttackBall
 from skills.ball.run_ball import RunBall
@@ -55,6 +57,7 @@ class Goalie(RuleMachine):
         super().__init__(self.guard, GuardGoal(OF_2006))
         self.rule = rule  # from the field and a ball to the place to guard; None: the match's
         self.memory = Memory()
+        self.possession = Possession(self.memory)
         self.now = GoalieSituation(self.memory)
         self.eyes = GoalieHead(self.memory, self.now)
         self.look_about = LookAbout(self.now)
@@ -77,7 +80,7 @@ class Goalie(RuleMachine):
         if name == 'attack':
             return AttackBall()
         if name == 'run_out':
-            return RunBall(self.memory, in_box=True)
+            return RunBall(self.memory)
         if name == 'step_back':
             return StepBack(world)
         return GuardGoal(NONE if name == 'adjust' else OF_2006)
@@ -85,8 +88,11 @@ class Goalie(RuleMachine):
     def step(self, world) -> kelpie.Command:
         self.memory.update(world)
         self.now.update(world)
+        if rulebook.follows_play(world):
+            self.possession.update(world)
         command = self.decide(self.now.world)
         command.team.role = kelpie.NO_ROLE if world.game.penalised else kelpie.KEEPER
+        command.team.possession = self.possession.own
         self.explain(command.trace)
         return command
 
@@ -112,6 +118,7 @@ class Goalie(RuleMachine):
 
     def explain(self, trace) -> None:
         super().explain(trace)
+        self.possession.explain(trace)
         self.halted.explain(trace)
         if self.now.reported is not None and self.state == self.guard:
             trace.append((kelpie.LAYER_SKILL, 'team_ball', 'told', 'mates see the ball at ({}, {})',

@@ -31,9 +31,10 @@ from skills.ball.run_ball import RunBall
 from skills.head.active_localise import LEAVE, ActiveLocalise
 from skills.head.glance import Glance
 from skills.head.track_ball import believed
-from skills.walk import round_post
+from skills.walk import round_box, round_post
 from skills.walk.avoid_own_box import AvoidOwnBox
 from skills.walk.paw_stuck import PawStuck, paw_pushes
+from skills.walk.round_box import RoundBox
 from skills.walk.round_post import RoundPost
 
 CONSTANTS = kelpie.constants.attacker  # behaviour/constants.toml: defaults and ranges
@@ -59,7 +60,7 @@ LINE_UP = 'line_up_kick'    # in place of a grab when that is switched off
 # Why the ball is looked for by who comes from another state than play.
 LEFT = {'back_off': 'the paws are free', 'localise': 'looked at a landmark',
         'avoid_box': 'the own box is no longer in the way',
-        'round_post': 'past the post'}
+        'round_box': 'past the own box', 'round_post': 'past the post'}
 
 
 class AttackerSituation:
@@ -110,6 +111,12 @@ def post_in_way(now, playing):
         now.world, playing == 'round_post') else None
 
 
+def box_between(now, playing):
+    rounds = rulebook.of(now.world).ROUNDS_BOX
+    return ('the own box lies on the way to the ball',) if rounds and round_box.needed(
+        now.world, playing == 'round_box') else None
+
+
 def time_to_look(now, playing):
     return ('far ball, time to look',) if now.landmarks.needed(now.world) else None
 
@@ -127,6 +134,7 @@ class Attacker(RuleMachine):
         (looks_on, 'localise'),
         (ball_is_lost, 'find'),
         (ball_in_own_box, 'avoid_box'),
+        (box_between, 'round_box'),
         (post_in_way, 'round_post'),
         (time_to_look, 'localise'),
         (ball_is_there, 'play'))
@@ -186,7 +194,7 @@ class Attacker(RuleMachine):
             self.localise_skill.start(world)
         return {'back_off': self.stuck, 'localise': self.localise_skill,
                 'avoid_box': AvoidOwnBox(self.memory),
-                'round_post': RoundPost(self.memory)}.get(name)
+                'round_box': RoundBox(self.memory), 'round_post': RoundPost(self.memory)}.get(name)
 
     def wanted(self, world):
         """Where it goes on the field: to the ball."""
@@ -216,6 +224,9 @@ class Attacker(RuleMachine):
         return self.looking_round(world, self.skill.step(world))
 
     def round_post(self, world):
+        return self.skill.step(world)
+
+    def round_box(self, world):
         return self.skill.step(world)
 
     def looking_round(self, world, command) -> kelpie.Command:

@@ -16,6 +16,9 @@ from lib.steer import facing, filtered
 from safety.own_box import outside_box
 from situation import keep_off, time_to
 from situation.time_to import heard_of
+from situation.possession import Possession
+from skills.ball import challenge
+from skills.ball.challenge import Challenge
 from skills.ball.find_ball import FindBall
 from skills.ball.find_together import FindTogether
 from skills.head.watch_play import WatchPlay
@@ -37,8 +40,9 @@ TURN_UNTIL = 8.0  # deg from the ball, who stands
 class SupporterSituation:
     """What a supporter decides by in one frame, in cm and places of the field."""
 
-    def __init__(self, world, memory):
+    def __init__(self, world, memory, role, possession):
         self.world, self.memory = world, memory
+        self.role, self.possession = role, possession.now
         reported = heard_of(world)
         self.ball = reported or time_to.ball_of(world, memory.ball_lost)
         # The team has the ball that this robot has lost: it need not look for it.
@@ -82,6 +86,13 @@ def mate_comes(now, playing):
     return ('in the attacker\'s way to the ball',) if lane is not None else None
 
 
+def takes_ball(now, playing):
+    """Of the defender alone: who attacks runs after it, and the third comes back behind it."""
+    theirs = now.by_play and now.possession == kelpie.THEIRS and now.role == kelpie.DEFENDER
+    steps_in = theirs and challenge.within_reach(now.world, playing == 'challenge')
+    return ('they have the ball, {} cm away', now.world.ball.distance) if steps_in else None
+
+
 def play_goes_on(now, playing):
     known = now.ball is not None and (now.reported or now.memory.ball_lost <= LOST_FRAMES)
     return ('its place is {} cm away', now.away) if now.by_play and known else None
@@ -106,6 +117,7 @@ class Supporter(RuleMachine):
     RULES = (
         (paw_pushes, 'back_off'),
         (mate_passes, 'receive'),
+        (takes_ball, 'challenge'),
         (play_goes_on, 'run_along'),
         (mate_holds, 'get_out_of_way'),
         (mate_has_ball, 'avoid_ball'),
@@ -117,10 +129,11 @@ class Supporter(RuleMachine):
     WALKED = (outside_box,)   # what is left of a walk, but of backing off
     pass_to = 0
 
-    def __init__(self, memory, role):
+    def __init__(self, memory, role, possession=None):
         super().__init__(self.go_home)
         self.NAME, self.role = NAMES[role], role
         self.memory = memory
+        self.possession = possession or Possession(memory)
         self.stuck = PawStuck()
         self.watch = WatchPlay(memory)
         self.home_of = Home()
@@ -135,7 +148,8 @@ class Supporter(RuleMachine):
         return self.now.home
 
     def step(self, world) -> kelpie.Command:
-        self.now = now = SupporterSituation(world, self.memory)
+        self.now = now = SupporterSituation(world, self.memory, self.role,
+                                            self.possession)
         now.home = self.home_of.update(world, self.role, now.ball, now.lanes)
         now.away = math.hypot(*from_field(world.pose, *now.home))
         now.paw_pushes = self.stuck.needed(world)
@@ -153,7 +167,8 @@ class Supporter(RuleMachine):
             return FindBall(now.world, self.memory)
         return {'back_off': self.stuck, 'get_out_of_way': self.out_of_way,
                 'avoid_ball': self.avoid, 'avoid_attacker': self.avoid,
-                'bird_of_prey': self.bird, 'run_along': self.run}.get(name)
+                'bird_of_prey': self.bird, 'challenge': Challenge(self.memory),
+                'run_along': self.run}.get(name)
 
     def wanted(self, world):
         """Where it goes on the field: home."""
@@ -186,6 +201,9 @@ class Supporter(RuleMachine):
 
     def run_along(self, world) -> kelpie.Command:
         return self.walking(world, self.run.step(world, (self.now.home, self.now.ball)))
+
+    def challenge(self, world) -> kelpie.Command:
+        return self.skill.step(world)
 
     def find_ball(self, world) -> kelpie.Command:
         together = self.team_search.step(world) if len(world.teammates) > 0 else None

@@ -3,7 +3,7 @@
 //
 //   offset  bytes  content
 //   0       4      "KELP"
-//   4       1      version, 1
+//   4       1      version, 2
 //   5       1      team: 0 red, 1 blue
 //   6       2      bytes of the whole packet
 //   8       8      sender's clock when the message was made, microseconds (int64)
@@ -20,7 +20,7 @@
 
 namespace kelpie::net {
 
-constexpr std::uint8_t kTeamPacketVersion = 1;
+constexpr std::uint8_t kTeamPacketVersion = 2;
 constexpr std::size_t kTeamPacketHeader = 20;
 
 struct TeamPacket {

@@ -195,7 +195,7 @@ class RandomWorld:
         return kelpie.TeamNote(role=self.pick(range(6)), grabs=self.pick((0, 0, 0, 1, 2)),
                                time_to_ball=self.pick((0.0, 3.0, 1000.0, self.between(0, 10))),
                                wants=self.often(0.5), wanted=self.point(),
-                               pass_to=self.pick(range(5)))
+                               pass_to=self.pick(range(5)), possession=self.pick(range(3)))
 
     def kick_off(self):
         game = self.world.game
@@ -266,7 +266,8 @@ def check(command):
 
 
 def check_note(note):
-    assert note.role in range(6) and note.grabs in range(3) and note.pass_to in range(5)
+    assert note.role in range(6) and note.grabs in range(3) and note.pass_to in range(5) and \
+        note.possession in range(3)
     assert 0.0 <= note.time_to_ball <= 1000.0 and type(note.wants) is bool
     check_numbers([note.time_to_ball, note.wanted.x, note.wanted.y])
 
@@ -277,7 +278,7 @@ def check_numbers(numbers):
 
 
 def check_trace(trace):
-    assert len(trace) <= 8, trace
+    assert len(trace) <= 9, trace
     for step in trace:
         layer, module, branch, reason, *numbers = step
         assert layer in range(4) and 0 < len(module) <= 20 and len(branch) <= 24, step

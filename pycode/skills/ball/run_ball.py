@@ -12,7 +12,6 @@ from lib.geom import clamp, wrap
 from lib.goalie_places import direction
 from lib.paths import point_of
 from lib.steer import FULL, any_way
-from safety import own_box
 from situation.about_ball import opponents
 from situation.run_way import run_way
 from skills.head.track_ball import TrackBall
@@ -32,23 +31,15 @@ SLOWLY = 10.0        # cm/s: the legs go fast only ahead
 class RunBall(Skill):
     NAME = 'run_ball'
 
-    def __init__(self, memory, in_box=False):
-        """`in_box`: of a goalie, who may go through the own box."""
+    def __init__(self, memory):
         self.memory, self.track = memory, TrackBall(memory)
-        self.in_box = in_box
         self.branch, self.way, self.off = 'curve', 0.0, 0.0
 
     def step(self, world) -> kelpie.Command:
         ball, here = led(world.ball), point_of(world.pose)
         self.way = run_way(world.field, ball, opponents(world, self.memory))
         self.off = wrap(self.way - direction(here, ball))
-        first = ball if self.in_box else own_box.round_box(world.field, here, ball)
-        if first != ball:
-            self.branch = 'round_box'
-            ahead = wrap(direction(here, first) - world.pose.heading_deg)
-            walk = any_way(ahead, ahead, FULL if abs(ahead) < TURNS_FIRST else SLOWLY)
-        else:
-            walk = self.at_ball(world, here, ball)
+        walk = self.at_ball(world, here, ball)
         return kelpie.Command(walk=walk, head=self.track.step(world))
 
     def at_ball(self, world, here, ball) -> kelpie.WalkRequest:

@@ -116,7 +116,7 @@ struct TraceStep {
   }
 };
 // From the player down.
-using Trace = FixedVector<TraceStep, 8>;
+using Trace = FixedVector<TraceStep, 9>;
 
 struct Command {
   WalkRequest walk;

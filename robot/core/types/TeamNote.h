@@ -20,6 +20,7 @@ struct TeamNote {
   bool wants = false;       // whether `wanted` says anything
   Point2<Field> wanted;     // where it goes, or wants a pass
   std::uint8_t passTo = 0;  // number of the mate whom it plays the ball to; 0: nobody
+  Possession possession = Possession::loose;  // as this robot sees it by itself
 
   template <int = 0>
   static constexpr auto fields() {
@@ -27,7 +28,8 @@ struct TeamNote {
     return fieldList(field("role", &N::role, "", 0, kRoleCount - 1),
                      field("timeToBall", &N::timeToBall, "s", 0, kNoTime),
                      field("grabs", &N::grabs, "", 0, kGrabsCount - 1), field("wants", &N::wants),
-                     field("wanted", &N::wanted), field("passTo", &N::passTo, "", 0, 4));
+                     field("wanted", &N::wanted), field("passTo", &N::passTo, "", 0, 4),
+                     field("possession", &N::possession, "", 0, kPossessionCount - 1));
   }
 };
 

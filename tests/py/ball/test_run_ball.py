@@ -10,7 +10,6 @@ from lib.goalie_places import beyond_box
 from lib.paths import point_of
 from lib.steer import FULL, any_way
 from roles.attacker import Attacker, in_mouth
-from safety.own_box import round_box
 from situation.about_ball import seen
 from situation.memory import Memory
 from situation.open_shot import KEEPS, SHOT, open_shot
@@ -190,42 +189,6 @@ def test_who_runs_goes_on_until_the_ball_is_free_by_some_more():
     assert presses(made, True) and not presses(made, False)
     made.opponents = [opponent(MIDDLE + PRESSED - 5.0, 240.0, 2.5)]
     assert not presses(made, True)
-
-
-def legs(here, place):
-    """The points that a robot comes by on its way round the own box."""
-    points = [here]
-    for _ in range(8):
-        points.append(round_box(FIELD, points[-1], place))
-        if points[-1] == place:
-            return points
-    raise AssertionError(f'it goes on for ever: {points}')
-
-
-LOW = 20.0
-LEFT, RIGHT = 60.0, FIELD.width - 60.0
-
-
-@pytest.mark.parametrize('here, place, count', [
-    ((MIDDLE, 300.0), (LEFT, LOW), 1), ((LEFT, LOW), (RIGHT, LOW), 3),
-    ((RIGHT, LOW), (LEFT, LOW), 3),
-    ((RIGHT, 100.0), (LEFT, LOW), 2), ((LEFT, LOW), (MIDDLE, 200.0), 1),
-    ((MIDDLE, 40.0), (MIDDLE, 300.0), 2), ((MIDDLE - 40.0, LOW), (RIGHT, LOW), 4)])
-def test_a_way_to_the_other_side_leads_round_the_own_box(here, place, count):
-    points = legs(here, place)
-    assert len(points) - 1 == count
-    for start, end in zip(points[1:], points[2:]):
-        for share in range(21):
-            at = [start[i] + share / 20.0 * (end[i] - start[i]) for i in (0, 1)]
-            assert beyond_box(FIELD, at) > 0.0
-
-
-def test_who_runs_to_a_ball_behind_the_own_box_goes_round_and_a_goalie_through_it():
-    made = world(x=RIGHT, y=LOW, heading=180.0, ball=(LEFT, LOW))
-    forward, goalie = RunBall(Memory()), RunBall(Memory(), in_box=True)
-    assert forward.step(made).walk.turn_deg < 0.0 and forward.branch == 'round_box'
-    goalie.step(made)
-    assert goalie.branch != 'round_box'
 
 
 @pytest.mark.parametrize('pressed_by, lost, state', [(80.0, 25, 'play'), (80.0, 35, 'find'),

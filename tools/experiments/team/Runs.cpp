@@ -8,13 +8,11 @@
 #include <array>
 
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/experiments/match/Matches.h"
-#include "tools/session/Teams.h"
+#include "tools/experiments/team/ExchangedSides.h"
 
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kMinutes = 5.0;
 constexpr double kWith = 45.0;     // cm from the neck base to a ball that it runs with
 constexpr double kBreak = 0.5;     // s without, after which the run is over
 constexpr double kRun = 100.0;     // cm towards the goal that make a run
@@ -45,24 +43,6 @@ struct Found {
   }
 };
 using Teams = std::array<Found, 2>;  // by colour
-
-// When the ball is in play: from whistle to goal or half-time.
-std::vector<bool> playing(const Played& played) {
-  std::vector<bool> plays;
-  std::size_t next = 0;
-  bool now = false;
-  for (const PlayedMoment& moment : played.moments) {
-    for (; next < played.events.size() && played.events[next].time <= moment.truth.time; ++next) {
-      const sim::EventKind kind = played.events[next].kind;
-      if (kind == sim::EventKind::play) now = true;
-      if (kind == sim::EventKind::goal || kind == sim::EventKind::half ||
-          kind == sim::EventKind::end || kind == sim::EventKind::ready)
-        now = false;
-    }
-    plays.push_back(now);
-  }
-  return plays;
-}
 
 void judgeRuns(const Played& played, const std::vector<bool>& plays, Teams& teams) {
   Run run;
@@ -118,21 +98,6 @@ void judgeGoals(const Played& played, Teams& teams) {
     if (event.kind == sim::EventKind::goal) ++teams[static_cast<std::size_t>(event.team)].goals;
 }
 
-cli::SessionOptions sessionFor(const Request& request, int number) {
-  const Trial trial = trialOf(request, number / 2);
-  cli::SessionOptions session = sessionOf(request, trial);
-  const std::string a = sideOr(request.sideA, "kelpie");
-  const std::string b = sideOr(request.sideB, "runner");
-  session.percepts = request.fast;
-  session.keepFrames = true;
-  session.seconds = 60.0 * (request.minutes > 0.0 ? request.minutes : kMinutes);
-  cli::useRules("2005", session);
-  const bool aIsRed = number % 2 == 0;
-  const Status used = cli::useTeams({4, 4, aIsRed ? a : b, aIsRed ? b : a}, session);
-  if (!used) session.pycode = a;  // what is wrong with it the session says itself
-  return session;
-}
-
 void join(const Found& found, Found& all) {
   all.goals += found.goals;
   all.still.add(found.still);
@@ -157,24 +122,19 @@ Expected<Json> runs(const Request& request) {
   const auto field = body::fieldDescription(request.field.empty() ? "2006" : request.field);
   if (!field) return Error{field.error()};
   Teams sides;  // a, b
-  Matches matches;
-  matches.count = 2 * request.trials;
-  matches.session = [&](int number) { return sessionFor(request, number); };
-  matches.judge = [&](int number, const cli::SessionResult&, const Played& played) {
+  const Status done = playExchanged(request, "runner", [&](bool aIsRed, const Played& played) {
     Teams teams;
-    const std::vector<bool> plays = playing(played);
+    const std::vector<bool> plays = inPlay(played);
     judgeRuns(played, plays, teams);
     judgeStanding(played, plays, *field, teams);
     judgeGoals(played, teams);
-    const std::size_t a = number % 2 == 0 ? 0 : 1;
-    join(teams[a], sides[0]);
-    join(teams[1 - a], sides[1]);
-  };
-  const Status done = playMatches(request, matches);
+    join(teams[aIsRed ? 0 : 1], sides[0]);
+    join(teams[aIsRed ? 1 : 0], sides[1]);
+  });
   if (!done) return Error{done.error()};
-  return Json{{"matches", matches.count},
-              {"a", figuresOf(sides[0], matches.count)},
-              {"b", figuresOf(sides[1], matches.count)}};
+  return Json{{"matches", 2 * request.trials},
+              {"a", figuresOf(sides[0], 2 * request.trials)},
+              {"b", figuresOf(sides[1], 2 * request.trials)}};
 }
 
 const Registration kRuns("runs",
