@@ -29,6 +29,7 @@ class Kelpie:
     RECEIVES = True            # who is to get a pass waits for it
     FEELS_HELD = True          # who is held backs off as from paws; nobody backs time and again
     ATTACKER_BACKS = True      # so does an attacker
+    CHALLENGES = True          # the defender steps into the way of who runs with the ball
     ROUNDS_BOX = True          # an attacker goes round the own box to a ball beyond it, and
     ROUNDS_POSTS = True        # an attacker goes round a post to a ball behind it
     # The goalies (thesis 2006 section 4.3.1, thesis 2004 section 4.2)
@@ -89,6 +90,7 @@ class Thesis(Kelpie):
     RECEIVES = False
     FEELS_HELD = False
     ATTACKER_BACKS = False
+    CHALLENGES = False
     ROUNDS_BOX = False
     ROUNDS_POSTS = False
     WATCHES_POSE = False

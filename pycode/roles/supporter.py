@@ -88,7 +88,8 @@ def mate_comes(now, playing):
 
 def takes_ball(now, playing):
     """Of the defender alone: who attacks runs after it, and the third comes back behind it."""
-    theirs = now.by_play and now.possession == kelpie.THEIRS and now.role == kelpie.DEFENDER
+    defends = now.role == kelpie.DEFENDER and rulebook.of(now.world).CHALLENGES
+    theirs = defends and now.by_play and now.possession == kelpie.THEIRS
     steps_in = theirs and challenge.within_reach(now.world, playing == 'challenge')
     return ('they have the ball, {} cm away', now.world.ball.distance) if steps_in else None
 

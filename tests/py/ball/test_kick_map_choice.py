@@ -63,14 +63,27 @@ def blocked(made):
 
 def test_against_somebody_under_the_nose_it_is_kicked_sideways_in_midfield_ahead_before_the_goal():
     ahead = kick_map_choice.AHEAD
-    assert chosen(world(180.0, 270.0), overdue=True)[0] in ahead
-    assert chosen(blocked(world(180.0, 270.0)), overdue=True)[0] not in ahead + (RELEASE,)
+    assert chosen(world(180.0, 270.0, 70.0), overdue=True)[0] in ahead
+    assert chosen(blocked(world(180.0, 270.0, 70.0)), overdue=True)[0] not in ahead + (RELEASE,)
     assert chosen(blocked(world(180.0, 450.0)), overdue=True)[0] in ahead
 
 
 def test_a_ball_is_not_kicked_at_somebody_under_the_nose_before_time_is_out():
     assert chosen(world(180.0, 490.0), overdue=False)[0] in kick_map_choice.AHEAD
     assert chosen(blocked(world(180.0, 490.0)), overdue=False) is None
+
+
+@pytest.mark.parametrize('half, carries, kicks', [
+    (12.0, True, True), (3.0, True, False), (3.0, False, True)])
+def test_a_ball_that_could_be_carried_on_is_kicked_where_that_is_good_enough(half, carries, kicks):
+    """Through a gap of so many deg to each side, 202 cm before the goal."""
+    made = world(180.0, 330.0)
+    dribble = GrabDribble(Memory(), None)
+    dribble.hold, dribble.aim = Hold(made, made.time_s), Aim()
+    dribble.aim.gap, dribble.should_carry = (half, -half), lambda one: carries
+    found = kick_map_choice.choose(made, dribble, False)
+    assert (found is not None) is kicks
+    assert found is None or carries is False or found[2] >= kick_map_choice.GOOD
 
 
 def test_a_ball_has_a_utility_from_45_cm_before_the_own_line_on_and_less_below():

@@ -3,7 +3,6 @@
 // colours: how its grabs end, how far its aimed kicks go beside the gap that they were aimed at,
 // and how much nearer to the goal the ball is after each possession. Grabs are those of one forward,
 // whose own reasons say how they ended; the ball's way is the true one.
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -30,9 +29,9 @@ bool begins(const TraceStep& step, std::string_view start) {
 }
 
 const TraceStep* stepOf(const PlayedMoment& moment, std::string_view module) {
-  const auto found = std::find_if(moment.command.trace.begin(), moment.command.trace.end(),
-                                  [&](const TraceStep& step) { return step.module.view() == module; });
-  return found != moment.command.trace.end() ? &*found : nullptr;
+  for (const TraceStep& step : moment.command.trace)
+    if (step.module.view() == module) return &step;
+  return nullptr;
 }
 
 // What is done with a ball that was grabbed; empty while none is.
