@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How soon a robot that is alone on the field scores: one forward (--a) and the ball, each anywhere,
-// before the open goal. Every trial is a match of its own seed, which draws both places. With --fast
-// from percepts, else from images on a physical body.
+// How soon a robot that is alone on the field scores: one forward (--a) and the ball, each
+// anywhere, before the open goal. Every trial is a match of its own seed, which draws both places.
+// With --fast from percepts, else from images on a physical body.
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/match/Matches.h"
 #include "tools/session/Teams.h"
