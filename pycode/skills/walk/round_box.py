@@ -21,7 +21,7 @@ SLOWLY = 10.0        # cm/s: the legs go fast only ahead
 
 
 def needed(world, goes_round=False) -> bool:
-    """Whether the own box lies on the straight way to the ball. `goes_round`: it does so already."""
+    """Whether the own box lies on the way to the ball. `goes_round`: it does so already."""
     here, ball = point_of(world.pose), point_of(world.ball)
     away = math.dist(here, ball)
     if not world.ball.present or away < REACH:

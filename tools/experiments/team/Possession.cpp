@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a team (--a) makes of the ball against another (--b), in matches in which they change
-// colours: how its grabs end, how far its aimed kicks go beside the gap that they were aimed at, and
-// how much nearer to the goal the ball is after each possession. Grabs are those of one forward,
-// whose own reasons say how they ended; the ball's way is the true one.
+// colours: how its grabs end, how far its aimed kicks go beside the gap that they were aimed at,
+// and how much nearer to the goal the ball is after each possession. Grabs are those of one
+// forward, whose own reasons say how they ended; the ball's way is the true one.
 #include <array>
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/experiments/team/StagedScenes.h"
+#include "tools/experiments/scenes/StagedScenes.h"
 
 namespace kelpie::experiments {
 namespace {

@@ -4,7 +4,7 @@
 // won, which is when a robot of the team has been the nearest to it for a while. It cannot tell a
 // ball that was won from one that the attackers ran past.
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/experiments/team/StagedScenes.h"
+#include "tools/experiments/scenes/StagedScenes.h"
 
 namespace kelpie::experiments {
 namespace {

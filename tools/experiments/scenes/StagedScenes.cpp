@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/experiments/team/StagedScenes.h"
+#include "tools/experiments/scenes/StagedScenes.h"
 
 #include "tools/session/SceneSession.h"
 #include "tools/session/Teams.h"

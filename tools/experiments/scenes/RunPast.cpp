@@ -3,7 +3,7 @@
 // the way. How fast the ball gets there, and whether it is the forward's still. It takes an
 // opponent within 200 cm as pressing and shoots at an open goal alone, so that it runs all the way.
 #include "tools/experiments/harness/Statistics.h"
-#include "tools/experiments/team/StagedScenes.h"
+#include "tools/experiments/scenes/StagedScenes.h"
 
 namespace kelpie::experiments {
 namespace {
