@@ -46,10 +46,10 @@ TEST(Trace, OfACommandThatSaysNothingIsEmpty) {
   EXPECT_EQ(run.state.lastError(), "");
 }
 
-TEST(Trace, BeyondEightStepsAndThreeNumbersIsCutOff) {
-  const Traced result = reported("[(0, 'm', 'b', 'r', 1, 2, 3, 4, None)] * 9 + [None]");
-  ASSERT_EQ(result.command.trace.size(), 8U) << result.error;
-  EXPECT_EQ(result.command.trace[7].numbers.size(), 3U);
+TEST(Trace, BeyondNineStepsAndThreeNumbersIsCutOff) {
+  const Traced result = reported("[(0, 'm', 'b', 'r', 1, 2, 3, 4, None)] * 10 + [None]");
+  ASSERT_EQ(result.command.trace.size(), 9U) << result.error;
+  EXPECT_EQ(result.command.trace[8].numbers.size(), 3U);
 }
 
 TEST(Trace, LongTextsAreCutOffAtACharacter) {

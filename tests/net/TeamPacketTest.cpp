@@ -56,7 +56,7 @@ TEST(TeamPacket, ItsLayoutIsTheDocumentedOne) {
   const auto& bytes = packet.bytes;
   EXPECT_EQ('K', bytes[0]);
   EXPECT_EQ('P', bytes[3]);
-  EXPECT_EQ(1, bytes[4]);
+  EXPECT_EQ(2, bytes[4]);
   EXPECT_EQ(1, bytes[5]);  // blue
   EXPECT_EQ(bytes.size(), bytes[6] + 256U * bytes[7]);
   EXPECT_EQ(3, bytes[kTeamPacketHeader]);  // the message begins with the player
@@ -71,7 +71,7 @@ TEST(TeamPacket, EachThingThatCanBeWrongHasItsReason) {
   bad.bytes.resize(10);
   EXPECT_EQ(RadioRefusal::foreign, refusalOf(bad));
   bad = good;
-  bad.bytes[4] = 2;
+  bad.bytes[4] = 1;
   EXPECT_EQ(RadioRefusal::version, refusalOf(bad));
   bad = good;
   bad.bytes.resize(good.bytes.size() - 1);
