@@ -21,6 +21,8 @@ STRAFE = 35.0            # cm/s of the normal walk, in any direction
 FAST_WITHIN = 30.0       # deg off ahead within which the fast walk goes; it cannot strafe as well
 RUN_GAIN = 3.0           # deg/s per deg
 RUN_TURN = 150.0         # deg/s; the legs could do 235, but then the images smear
+TURNS_FIRST = 60.0       # deg off ahead of who walks slowly meanwhile,
+SLOWLY = 10.0            # cm/s: the legs go fast only ahead
 
 
 def towards(point: Point, near=0.0, speed=SPEED) -> kelpie.WalkRequest:
@@ -48,6 +50,11 @@ def any_way(way, face, speed) -> kelpie.WalkRequest:
         return kelpie.WalkRequest(forward=ahead, left=left, turn_deg=turn, kind=kelpie.WALK_FAST)
     share = min(1.0, STRAFE / max(speed, 1.0))
     return kelpie.WalkRequest(forward=share * ahead, left=share * left, turn_deg=turn)
+
+
+def full_ahead(off_deg) -> float:
+    """The speed of who runs to a point so many deg off ahead, and turns first when that is far."""
+    return FULL if abs(off_deg) < TURNS_FIRST else SLOWLY
 
 
 def aim_at(x, y, height=BALL_TOP) -> kelpie.HeadRequest:

@@ -85,7 +85,7 @@ def mate_of(made, note):
     place = made.pose.position
     reported = kelpie.TeamNote(role=note.role, time_to_ball=note.time_to_ball, grabs=note.grabs,
                            wants=note.wants, wanted=note.wanted, pass_to=note.pass_to,
-                               possession=note.possession)
+                           possession=note.possession)
     return kelpie.TeammateEstimate(
         player=made.game.player, note=reported, seconds_since_ball=made.ball.seconds_since_seen,
         pose=kelpie.Pose2(position=kelpie.Point2(x=place.x, y=place.y),

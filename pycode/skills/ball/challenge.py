@@ -9,7 +9,7 @@ from arbiter.skill import Skill
 from lib.geom import clamp, wrap
 from lib.goalie_places import direction
 from lib.paths import point_of
-from lib.steer import FULL, any_way
+from lib.steer import any_way, full_ahead
 from skills.ball.run_ball import RunBall
 from skills.head.track_ball import TrackBall
 
@@ -22,8 +22,6 @@ BALL = 30.0          # cm/s of who runs with it: the runners of 2005 made 25 to 
 ROBOT = 40.0         # and of who steps into its way
 LEAST = 15.0         # cm ahead of the ball
 SLOW = 20.0          # cm/s: a slower ball is taken to go to the own goal
-TURNS_FIRST = 60.0   # deg off ahead of who walks slowly meanwhile,
-SLOWLY = 10.0        # cm/s: the legs go fast only ahead
 
 
 def course(world, ball) -> tuple:
@@ -72,7 +70,7 @@ class Challenge(Skill):
         if self.branch == 'runs_through':
             return self.run.step(world)
         ahead = wrap(direction(here, place) - world.pose.heading_deg)
-        walk = any_way(ahead, ahead, FULL if abs(ahead) < TURNS_FIRST else SLOWLY)
+        walk = any_way(ahead, ahead, full_ahead(ahead))
         return kelpie.Command(walk=walk, head=self.track.step(world))
 
     def explain(self, trace) -> None:

@@ -11,7 +11,7 @@ from arbiter.skill import Skill
 from lib.geom import clamp, wrap
 from lib.goalie_places import direction
 from lib.paths import point_of
-from lib.steer import FULL, any_way
+from lib.steer import FULL, any_way, full_ahead
 from situation.about_ball import opponents
 from situation.run_way import run_way
 from skills.head.track_ball import TrackBall
@@ -24,8 +24,6 @@ BEHIND = CONSTANTS.behind  # deg off the line within which the ball is run at
 LEAD_S = CONSTANTS.lead    # s that the ball rolls until the legs answer
 PUSHED_OUT = 2.0     # deg aside for each cm that the ball is nearer than ROUND
 SEEN_S = 0.3         # s; of a ball seen longer ago the velocity says nothing
-TURNS_FIRST = 60.0   # deg off ahead of who walks slowly meanwhile,
-SLOWLY = 10.0        # cm/s: the legs go fast only ahead
 
 
 class RunBall(Skill):
@@ -39,8 +37,7 @@ class RunBall(Skill):
         ball, here = led(world.ball), point_of(world.pose)
         self.way = run_way(world.field, ball, opponents(world, self.memory))
         self.off = wrap(self.way - direction(here, ball))
-        walk = self.at_ball(world, here, ball)
-        return kelpie.Command(walk=walk, head=self.track.step(world))
+        return kelpie.Command(walk=self.at_ball(world, here, ball), head=self.track.step(world))
 
     def at_ball(self, world, here, ball) -> kelpie.WalkRequest:
         away, bearing = math.dist(here, ball), direction(here, ball)
@@ -49,7 +46,7 @@ class RunBall(Skill):
         rounds = away < 2.0 * ROUND and abs(self.off) > BEHIND
         self.branch = 'round' if rounds else 'push' if abs(self.off) <= BEHIND else 'curve'
         face = wrap(bearing - facing) if rounds else ahead
-        return any_way(ahead, face, FULL if rounds or abs(ahead) < TURNS_FIRST else SLOWLY)
+        return any_way(ahead, face, FULL if rounds else full_ahead(ahead))
 
     def explain(self, trace) -> None:
         trace.append((kelpie.LAYER_SKILL, self.NAME, self.branch,

@@ -9,15 +9,13 @@ from arbiter.skill import Skill
 from lib.geom import wrap
 from lib.goalie_places import direction
 from lib.paths import point_of
-from lib.steer import FULL, any_way
+from lib.steer import any_way, full_ahead
 from safety import own_box
 from skills.head.track_ball import TrackBall
 
 REACH = 14.0         # cm from the neck to a ball that is played: so far the way has to be free
 FREE = 2.0           # cm about the box that the straight way must cross; who goes round it already
                      # keeps what own_box.round_box() does
-TURNS_FIRST = 60.0   # deg off ahead of who walks slowly meanwhile,
-SLOWLY = 10.0        # cm/s: the legs go fast only ahead
 
 
 def needed(world, goes_round=False) -> bool:
@@ -44,7 +42,7 @@ class RoundBox(Skill):
         corner = own_box.round_box(world.field, here, point_of(world.ball))
         self.away = math.dist(here, corner)
         ahead = wrap(direction(here, corner) - world.pose.heading_deg)
-        walk = any_way(ahead, ahead, FULL if abs(ahead) < TURNS_FIRST else SLOWLY)
+        walk = any_way(ahead, ahead, full_ahead(ahead))
         return kelpie.Command(walk=walk, head=self.track.step(world))
 
     def explain(self, trace) -> None:
