@@ -15,7 +15,7 @@ constexpr double kWatched = 2.5;       // s before a throw, in which the robot m
 constexpr double kWatchedShare = 0.5;  // the head looks at landmarks too
 constexpr double kKickReach = 40.0;    // cm from the neck base
 constexpr double kSlow = 10.0;     // cm/s towards the goal: up to there nobody has set the ball off
-constexpr double kKept = 0.4;      // s; what a robot only walks over stays shorter
+constexpr double kKept = 0.4;      // s; a ball walked over, or lunged after, stays shorter
 constexpr double kCarried = 10.0;  // cm
 constexpr double kTurned = 0.35;   // rad, 20 deg
 constexpr double kReach = 15.0;    // cm ahead of the neck base
@@ -153,10 +153,10 @@ Grabbed grabbedIn(const Played& played) {
   grabbed.quickGrabs = runsOf(played, MotionKind::grabQuick);
   const double last = played.moments.empty() ? 0.0 : played.moments.back().seconds();
   for (const sim::Hold& hold : holdsOf(played, TeamColour::red)) {
-    grabbed.holds.push_back(hold.seconds());
+    const bool kept = hold.seconds() >= kKept;
+    if (kept) grabbed.holds.push_back(hold.seconds());
     grabbed.tooLong += hold.tooLong(rules) ? 1 : 0;
     grabbed.tooFar += hold.tooFar(rules) ? 1 : 0;
-    const bool kept = hold.seconds() >= kKept;
     const bool carried = hold.moved >= kCarried || hold.turned >= kTurned;
     const bool released = hold.end + sim::HoldWatch::kLost < last;
     grabbed.kept = grabbed.kept || kept;

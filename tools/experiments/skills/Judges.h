@@ -46,7 +46,7 @@ struct Grabbed {
   bool success = false;
   int tooLong = 0;
   int tooFar = 0;
-  Values holds;       // s
+  Values holds;       // s; those that were kept
   Values grabs;       // frames of each
   Values quickGrabs;  // so, with infrared
 };
