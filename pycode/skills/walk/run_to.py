@@ -35,7 +35,7 @@ class RunTo(Skill):
         here, facing = point_of(world.pose), world.pose.heading_deg
         self.away = math.dist(here, place)
         first = own_box.round_box(world.field, here, place)
-        way = wrap(direction(here, first) + past(world, here, first) - facing)
+        way = wrap(direction(here, first) + past(world, here, first, watched) - facing)
         self.near = self.away < NEAR
         face = wrap(direction(here, watched) - facing) if self.near and watched else way
         slow = not self.near and abs(way) >= TURNS_FIRST
@@ -46,12 +46,14 @@ class RunTo(Skill):
                       '{} cm to go', self.away))
 
 
-def past(world, here, place) -> float:
-    """Degrees that the way turns for the last of those who stand near and ahead."""
+def past(world, here, place, ball=None) -> float:
+    """Degrees that the way turns for the last of those who stand near and ahead, or for the ball,
+    which another plays and who runs to a place behind it would take home."""
     away, bearing, turn = math.dist(here, place), direction(here, place), 0.0
-    for other in list(world.opponents) + [mate.pose for mate in world.teammates]:
-        gap = math.dist(here, point_of(other))
-        off = wrap(direction(here, point_of(other)) - bearing)
+    robots = list(world.opponents) + [mate.pose for mate in world.teammates]
+    for other in [point_of(robot) for robot in robots] + ([ball] if ball else []):
+        gap = math.dist(here, other)
+        off = wrap(direction(here, other) - bearing)
         if gap < min(CLEAR, away) and abs(off) < BESIDE_DEG:
             turn = -math.copysign(PUSH_DEG * (1.2 - gap / CLEAR), off)
     return turn

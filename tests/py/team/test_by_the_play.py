@@ -111,6 +111,15 @@ def test_who_stands_ahead_is_passed_on_the_nearer_side(x, side):
     assert side * past(made, (180.0, 100.0), (180.0, 300.0)) > 20.0
 
 
+@pytest.mark.parametrize('x, side', [(171.0, 1.0), (189.0, -1.0)])
+def test_the_ball_is_passed_on_the_way_home_and_not_taken_along(x, side):
+    # A striker pushed a ball 157 cm home that lay 23 cm behind it.
+    made, home = world(180.0, 340.0, -90.0), (180.0, 200.0)
+    walk = RunTo().step(made, (home, (x, 317.0)))
+    assert side * walk.turn_deg > 100.0
+    assert RunTo().step(made, (home, None)).turn_deg == pytest.approx(0.0, abs=1e-6)
+
+
 def test_who_is_far_or_behind_turns_no_way():
     made = world(180.0, 100.0, 90.0)
     made.teammates = [mate(2, A, 2.0, at=(180.0, 101.0 + CLEAR)), mate(3, S, 2.0, at=(180.0, 80.0))]
