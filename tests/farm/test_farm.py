@@ -77,7 +77,7 @@ def test_where_every_match_fails_the_farm_gives_up_in_one_line_and_leaves_no_pro
     result = field.farm('play', 'strong', 'weak', '--out', 'out', FAKE_TROUBLE='the world died')
     assert result.returncode == 2 and result.stdout == ''
     assert result.stderr.splitlines()[-1] == (
-        'kelpie: 8 matches in a row failed: kelpie failed with 1: kelpie: the world died')
+        'kelpie: 8 matches in a row failed: kelpie failed with 1: the world died')
     assert str(field.folder) not in commands_that_run()
 
 

@@ -91,3 +91,12 @@ def test_by_value_an_equal_team_is_accepted_about_as_seldom_as_is_meant(tmp_path
 def test_values_are_of_pairs_and_too_few_of_them_are_refused(tmp_path):
     with pytest.raises(Trouble, match='7 pairs with a value, at least 8'):
         stored_values(stored_pairs(tmp_path, [0.1] * 7))
+
+
+@pytest.mark.parametrize('goals', ['"x"', '-1', '1.5', 'null'])
+def test_results_whose_goals_are_none_are_refused_in_a_line(tmp_path, goals):
+    journal = tmp_path / 'league.jsonl'
+    row = f'{{"trouble": "", "red_goals": {goals}, "blue_goals": 0}}\n'
+    journal.write_text('{}\n' + 9 * row)
+    with pytest.raises(Trouble, match='results without goals'):
+        stored_matches(journal)

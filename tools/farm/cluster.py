@@ -25,7 +25,7 @@ LOOK = 2.0             # s between looks at how many workers there are
 
 
 def check_address(address):
-    if not ADDRESS.fullmatch(address):
+    if not ADDRESS.fullmatch(address) or int(address.rsplit(':', 1)[1]) > 65535:
         raise Trouble(f'{address}: tcp://HOST:PORT or tls://HOST:PORT')
 
 

@@ -5,7 +5,9 @@ the words of its commands, and what each of them calls."""
 import argparse
 import json
 import os
+import shutil
 import signal
+import socket
 import sqlite3
 import sys
 import time
@@ -38,6 +40,12 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message):
         raise Trouble(f'{message} (kelpie farm --help)')
+
+
+def leave(*_):
+    """Of who is asked to stop before anything has begun that must be ended."""
+    os.write(2, b'kelpie: stopped\n')
+    os._exit(INTERRUPTED)
 
 
 class Stop:
@@ -96,8 +104,8 @@ def asked_scenes(words, known):
 
 def checked_folders(folders):
     for folder in folders:
-        if not Path(folder).is_dir():
-            raise Trouble(f'{folder}: no such folder')
+        if not folder or not Path(folder).is_dir():
+            raise Trouble(f'{folder or "an empty name"}: no such folder')
     return folders
 
 
@@ -118,8 +126,7 @@ def play(options):
     store.begin(plan.id, plan._asdict())
     if options.again:
         store.forget_voids(plan.id)
-    stop = Stop()
-    cluster = opened_cluster(options, folder)
+    cluster, stop = opened_cluster(options, folder)
     say(f'test {plan.id}: {words.question(plan)}')
     run = Run(plan, store, cluster, options.most, say, stop)
     try:
@@ -144,15 +151,22 @@ def opened_store(options):
 
 
 def opened_cluster(options, folder):
-    return (Cluster(options.scheduler) if options.scheduler else
-            own_cluster(options.workers or workers_here(options.world), folder))
+    """(cluster, stop). Who only waits for a scheduler elsewhere may be stopped at once."""
+    if options.scheduler:
+        cluster = Cluster(options.scheduler)
+        cluster.open()
+        return cluster, Stop()
+    stop = Stop()
+    return own_cluster(options.workers or workers_here(options.world), folder), stop
 
 
 def asked_search(options):
     pool = tuple(map(portable, checked_folders(options.pool.split(','))))
     plan = Plan(pool[0], pool[0], options.seed, options.minutes, options.robots, options.world,
                 options.by, 0.0, 0.0, rules=options.rules)
-    _, scenes = about(plan._replace(second=other_than(pool[0])).match(options.seed, RED))
+    for team in pool:
+        _, scenes = about(plan._replace(first=team, second=other_than(team)).match(options.seed,
+                                                                                   RED))
     return Asked(plan._replace(scenes=asked_scenes(options.scenes, scenes)), pool, options.pairs,
                  options.trials, options.sampler)
 
@@ -166,24 +180,37 @@ def search(options):
     found = described(options.groups)
     asked = asked_search(options)
     folder, store = opened_store(options)
-    stop = Stop()
     say(words.search(asked, found))
     sampler = sampler_of(options.sampler, found, options.seed)
-    cluster = opened_cluster(options, folder)
+    cluster, stop = opened_cluster(options, folder)
     try:
         one = Search(asked, found, folder, store, cluster, say, stop)
         champion = one.run(sampler, lambda number, tried: say(words.tried(number, tried)))
     finally:
         cluster.close()
-    if champion is None:
+    if champion is None and stop():
         say('kelpie: stopped; the same command goes on')
         return INTERRUPTED
-    named = write_team(folder / 'champion', found, champion.vector, words.gain(champion, asked))
+    if champion is None:
+        print('no vector is another one than the defaults: they stay')
+        return UNDECIDED
+    named = write_team(champion_folder(folder, store.champions(), champion.vector), found,
+                       champion.vector, words.gain(champion, asked))
     champion = champion._replace(folder=str(named))
     store.add_champion(champion, words.search(asked, found))
     print(words.gain(champion, asked))
     print(f'{named}: a team of it; kelpie farm play {named} {asked.pool[0]} decides')
     return DONE
+
+
+def champion_folder(folder, champions, vector):
+    """Another vector's team stays where the history says that it is."""
+    taken = {Path(where): its for where, _, its, *_ in champions}
+    number, named = 1, folder / 'champion'
+    while taken.get(named, vector) != vector:
+        number += 1
+        named = folder / f'champion-{number}'
+    return named
 
 
 def history(options):
@@ -230,7 +257,16 @@ def serve(options, commands):
     return DONE
 
 
+def check_free(host, port):
+    """A scheduler that cannot listen says so in its log alone."""
+    try:
+        socket.create_server((host, port)).close()
+    except OSError as error:
+        raise Trouble(f'tcp://{host}:{port}: {error.strerror or error}') from None
+
+
 def scheduler(options):
+    check_free(options.host, options.port)
     say(f'workers and farms of this network: tcp://{options.host}:{options.port}')
     return serve(options, [scheduler_words(options.host, options.port)])
 
@@ -281,7 +317,7 @@ def add_search(commands):
 def add_world(command, scenes):
     """What is played, and with which seeds."""
     command.add_argument('--minutes', type=figure(0.1, 60.0), default=10.0)
-    command.add_argument('--seed', type=whole(0, 9000000000000000), default=1)
+    command.add_argument('--seed', type=whole(0, 8000000000000000), default=1)
     command.add_argument('--robots', default='4v4')
     command.add_argument('--rules', choices=('2005', '2006'), default='2006',
                          help='of holding the ball: 3 s, or 3 s and 50 cm')
@@ -329,7 +365,14 @@ def add_cluster(commands):
 
 def variant(options):
     rules = [rule for rule in options.without.split(',') if rule]
-    print(write_variant(options.team, rules, options.set))
+    folder = write_variant(options.team, rules, options.set)
+    try:
+        about(Plan(portable(folder), other_than(folder), 0, 1.0, '4v4', PERCEPTS, SCORE, 0.0,
+                   0.0).match(0, RED))
+    except Trouble:
+        shutil.rmtree(folder)
+        raise
+    print(folder)
     return DONE
 
 
@@ -373,9 +416,17 @@ def parser():
     return made
 
 
+def joined(arguments):
+    """The same, with --bounds and what follows as one word: a bound may begin with a minus."""
+    at = arguments.index('--bounds') if '--bounds' in arguments[:-1] else len(arguments)
+    return [*arguments[:at], *['='.join(arguments[at:at + 2])][:len(arguments) - at],
+            *arguments[at + 2:]]
+
+
 def main():
+    signal.signal(signal.SIGINT, leave)
     try:
-        options = parser().parse_args()
+        options = parser().parse_args(joined(sys.argv[1:]))
         return options.run(options)
     except Trouble as trouble:
         say(f'kelpie: {trouble}')

@@ -10,6 +10,7 @@ import json
 import sqlite3
 import time
 from pathlib import Path
+from urllib.parse import quote
 
 from farm.work import Trouble
 
@@ -55,7 +56,9 @@ class Store:
             raise Trouble(f'{path}: {error}') from None
 
     def _open(self, writes):
-        self.base = sqlite3.connect(self.path, timeout=30.0, isolation_level=None)
+        mode = 'rwc' if writes else 'ro'
+        self.base = sqlite3.connect(f'file:{quote(str(self.path))}?mode={mode}', uri=True,
+                                    timeout=30.0, isolation_level=None)
         version = self.base.execute('pragma user_version').fetchone()[0]
         tables = self.base.execute('select count(*) from sqlite_master').fetchone()[0]
         if not tables and not writes:
@@ -124,7 +127,9 @@ class Store:
 
 
 def is_result(read):
-    return bool(read.get('trouble')) or {'trouble', 'red_goals', 'blue_goals'} <= read.keys()
+    goals = [read.get('red_goals'), read.get('blue_goals')]
+    return isinstance(read.get('trouble'), str) and (
+        read['trouble'] != '' or all(type(one) is int and one >= 0 for one in goals))
 
 
 def lock_path(path):

@@ -41,7 +41,9 @@ def stored_matches(path):
         matches = [(result['red_goals'], result['blue_goals']) for result in read(path)
                    if not is_void(result)]
     except (KeyError, TypeError):
-        raise Trouble(f'{path}: results without goals') from None
+        matches = [(None, None)]
+    if not all(type(goals) is int and goals >= 0 for match in matches for goals in match):
+        raise Trouble(f'{path}: results without goals')
     if len(matches) < FEWEST:
         raise Trouble(f'{path}: {len(matches)} matches, at least {FEWEST} are needed')
     return matches
@@ -50,6 +52,8 @@ def stored_matches(path):
 def stored_values(path):
     """Of each pair of a farm's store, the value that its first side has; its own mean is taken
     away with its sign."""
+    if str(path).endswith('.jsonl'):
+        raise Trouble(f'{path}: a league keeps no values; a farm.sqlite has them')
     store = Store(path)
     pairs = []
     for test, _, _ in store.tests():

@@ -79,8 +79,8 @@ def asked(words, seconds):
     except OSError as error:
         raise Trouble(error) from None
     if done.returncode != 0:
-        said = done.stderr.strip().splitlines() or ['nothing']
-        raise Trouble(f'kelpie failed with {done.returncode}: {said[-1]}')
+        said = (done.stderr.strip().splitlines() or ['nothing'])[-1].removeprefix('kelpie: ')
+        raise Trouble(f'kelpie failed with {done.returncode}: {said}')
     try:
         answer = json.loads(done.stdout)
     except ValueError:

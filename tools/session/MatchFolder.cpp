@@ -106,19 +106,32 @@ Status MatchFolder::begin() {
   removeHalves();
   std::error_code error;
   if (fs::exists(playing(), error)) {
-    const auto place = placeForEarlier();
-    if (!place) return Error{place.error()};
-    fs::rename(playing(), *place + "/playing", error);
-    if (error) return Error{playing() + ": " + error.message()};
-    notes_.push_back(path_ + ": a match was killed there; its logs are in " + *place +
-                     " now, and `kelpie recover " + *place + "` joins them");
-    const Status moved = moveEarlier();  // what it had joined is of the same match
-    if (!moved) return moved;
-    earlier_.clear();
+    const Status kept = keepKilled();
+    if (!kept) return kept;
   }
   fs::create_directory(playing(), error);
   if (error) return Error{playing() + ": " + error.message()};
   return Done{};
+}
+
+// What is older than its parts is a whole match before it, which joining them would overwrite; what
+// is newer it had joined itself.
+Status MatchFolder::keepKilled() {
+  std::error_code error;
+  const fs::file_time_type began = fs::last_write_time(playing(), error);
+  if (error) return Error{playing() + ": " + error.message()};
+  const Status whole = moveOlderThan(began);
+  if (!whole) return whole;
+  earlier_.clear();
+  const auto place = placeForEarlier();
+  if (!place) return Error{place.error()};
+  fs::rename(playing(), *place + "/playing", error);
+  if (error) return Error{playing() + ": " + error.message()};
+  notes_.push_back(path_ + ": a match was killed there; its logs are in " + *place +
+                   " now, and `kelpie recover " + *place + "` joins them");
+  const Status joined = moveEarlier();
+  earlier_.clear();
+  return joined;
 }
 
 Expected<std::string> MatchFolder::placeForEarlier() {
@@ -133,13 +146,15 @@ Expected<std::string> MatchFolder::placeForEarlier() {
   return place;
 }
 
-Status MatchFolder::moveEarlier() {
+Status MatchFolder::moveEarlier() { return moveOlderThan(fs::file_time_type::max()); }
+
+Status MatchFolder::moveOlderThan(fs::file_time_type time) {
   for (const auto& from : filesIn(path_)) {
     const std::string name = from.filename().string();
-    if (!isOurs(name)) continue;
+    std::error_code error;
+    if (!isOurs(name) || fs::last_write_time(from, error) >= time) continue;
     const auto place = placeForEarlier();
     if (!place) return Error{place.error()};
-    std::error_code error;
     fs::rename(from, fs::path(*place) / name, error);
     if (error) return Error{from.string() + ": " + error.message()};
   }

@@ -6,6 +6,7 @@
 // written.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ class MatchFolder {
  private:
   MatchFolder() = default;
   Status begin();
+  Status keepKilled();
+  Status moveOlderThan(std::filesystem::file_time_type time);
   bool isOurs(const std::string& name) const;
   void removeHalves() const;
   Expected<std::string> placeForEarlier();

@@ -83,6 +83,17 @@ std::string hashOf(const std::string& folder) {
   return fmt::format("{:08x}", crc32(bytes, all.size()));
 }
 
+// A folder that a team can play from, with parameters that there are.
+Status checkSide(const std::string& folder) {
+  TeamPlan alone{1, 0, folder, ""};
+  SessionOptions tried;
+  const Status usable = useTeams(alone, tried);
+  if (!usable) return usable;
+  ConfigOptions parameters;
+  parameters.params = tried.params;
+  return applyConfig(parameters, *std::make_unique<agent::AgentConfig>());
+}
+
 Status readSides(LeagueOptions& options, Folders& folders) {
   const auto robots = teamPlan(options.robots);
   if (!robots) return Error{robots.error()};
@@ -91,9 +102,7 @@ Status readSides(LeagueOptions& options, Folders& folders) {
   if (options.percepts) options.plan.about += ", percepts";
   for (const std::string& folder : options.folders) {
     const std::string name = nameOf(folder);
-    TeamPlan alone{1, 0, folder, ""};
-    SessionOptions tried;
-    const Status usable = useTeams(alone, tried);
+    const Status usable = checkSide(folder);
     if (!usable) return usable;
     if (!folders.emplace(name, folder).second) return Error{"two sides are called '" + name + "'"};
     options.plan.sides.push_back(name);

@@ -95,9 +95,10 @@ Expected<Json> measureWithProgress(const Experiment& experiment, Request& reques
 int run(const Experiment& experiment, EvaluateOptions& options) {
   const Expected<Json> figures = measureWithProgress(experiment, options.request);
   if (!figures) return cli::fail(figures.error(), cli::kExitBadInput);
-  if (!cli::writeWhole(options.json, cli::jsonText(*figures, 2) + "\n"))
-    return cli::fail(options.json + ": cannot be written", cli::kExitBadInput);
-  return cli::kExitDone;
+  const std::string text = cli::jsonText(*figures, 2) + "\n";
+  if (cli::writeWhole(options.json, text)) return cli::kExitDone;
+  cli::writeWhole("-", text);  // what took minutes is not lost
+  return cli::fail(options.json + ": cannot be written", cli::kExitBadInput);
 }
 
 int evaluate(const std::vector<Experiment>& experiments, Options given, EvaluateOptions& options) {

@@ -174,9 +174,10 @@ Expected<Json> spoilt(const Request& request) {
               {"rows", each}};
 }
 
-const Registration kSpoilt(
-    "spoilt", "walks from pixels spoilt by time, odometry, light, noise, landmarks: the pose",
-    {Option::trials, Option::seed, Option::randomised, Option::params}, 12, spoilt);
+const Registration kSpoilt("spoilt",
+                           "walks from pixels, spoilt by time, odometry, light, noise: the pose",
+                           {Option::trials, Option::seed, Option::randomised, Option::params}, 12,
+                           spoilt);
 
 }  // namespace
 }  // namespace kelpie::experiments
