@@ -188,10 +188,10 @@ def search(options):
         champion = one.run(sampler, lambda number, tried: say(words.tried(number, tried)))
     finally:
         cluster.close()
-    if champion is None and stop():
-        say('kelpie: stopped; the same command goes on')
-        return INTERRUPTED
     if champion is None:
+        if stop():
+            say('kelpie: stopped; the same command goes on')
+            return INTERRUPTED
         print('no vector is another one than the defaults: they stay')
         return UNDECIDED
     named = write_team(champion_folder(folder, store.champions(), champion.vector), found,
@@ -418,9 +418,10 @@ def parser():
 
 def joined(arguments):
     """The same, with --bounds and what follows as one word: a bound may begin with a minus."""
-    at = arguments.index('--bounds') if '--bounds' in arguments[:-1] else len(arguments)
-    return [*arguments[:at], *['='.join(arguments[at:at + 2])][:len(arguments) - at],
-            *arguments[at + 2:]]
+    if '--bounds' not in arguments[:-1]:
+        return arguments
+    at = arguments.index('--bounds')
+    return [*arguments[:at], f'--bounds={arguments[at + 1]}', *arguments[at + 2:]]
 
 
 def main():

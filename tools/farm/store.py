@@ -10,9 +10,8 @@ import json
 import sqlite3
 import time
 from pathlib import Path
-from urllib.parse import quote
 
-from farm.work import Trouble
+from farm.work import Trouble, is_goals
 
 RED, BLUE = 'red', 'blue'
 SCHEMA = """
@@ -56,9 +55,7 @@ class Store:
             raise Trouble(f'{path}: {error}') from None
 
     def _open(self, writes):
-        mode = 'rwc' if writes else 'ro'
-        self.base = sqlite3.connect(f'file:{quote(str(self.path))}?mode={mode}', uri=True,
-                                    timeout=30.0, isolation_level=None)
+        self.base = sqlite3.connect(self.path, timeout=30.0, isolation_level=None)
         version = self.base.execute('pragma user_version').fetchone()[0]
         tables = self.base.execute('select count(*) from sqlite_master').fetchone()[0]
         if not tables and not writes:
@@ -129,7 +126,7 @@ class Store:
 def is_result(read):
     goals = [read.get('red_goals'), read.get('blue_goals')]
     return isinstance(read.get('trouble'), str) and (
-        read['trouble'] != '' or all(type(one) is int and one >= 0 for one in goals))
+        read['trouble'] != '' or all(map(is_goals, goals)))
 
 
 def lock_path(path):

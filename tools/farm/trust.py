@@ -13,7 +13,7 @@ import random
 
 from farm.plan import GOALS, SCORE, VALUE, Plan, is_void, of_pair
 from farm.sprt import ACCEPTED, OPEN, REJECTED, SequentialTest
-from farm.store import BLUE, RED, Store
+from farm.store import BLUE, RED, Store, is_result
 from farm.work import IMAGES, Trouble
 
 FEWEST = 8          # stored matches
@@ -37,13 +37,11 @@ def results_of_store(path):
 def stored_matches(path):
     """[(red's goals, blue's goals)] of all matches of a farm's store or of a league's journal."""
     read = results_of_journal if str(path).endswith('.jsonl') else results_of_store
-    try:
-        matches = [(result['red_goals'], result['blue_goals']) for result in read(path)
-                   if not is_void(result)]
-    except (KeyError, TypeError):
-        matches = [(None, None)]
-    if not all(type(goals) is int and goals >= 0 for match in matches for goals in match):
+    results = read(path)
+    if not all(isinstance(result, dict) and is_result(result) for result in results):
         raise Trouble(f'{path}: results without goals')
+    matches = [(result['red_goals'], result['blue_goals']) for result in results
+               if not is_void(result)]
     if len(matches) < FEWEST:
         raise Trouble(f'{path}: {len(matches)} matches, at least {FEWEST} are needed')
     return matches

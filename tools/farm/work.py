@@ -105,11 +105,15 @@ def checked(answer, match):
     if answer.get('trouble'):
         raise Trouble(answer['trouble'])
     for key in ('red_goals', 'blue_goals'):
-        if type(answer.get(key)) is not int or answer[key] < 0:
+        if not is_goals(answer.get(key)):
             raise Trouble(f'a result without {key}')
     if 'value' in answer and not is_figure(answer['value']):
         raise Trouble('a value that is not finite')
     return {key: value for key, value in answer.items() if key != 'about'}
+
+
+def is_goals(value):
+    return type(value) is int and value >= 0
 
 
 def is_figure(value):

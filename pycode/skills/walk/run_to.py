@@ -10,7 +10,7 @@ from arbiter.skill import Skill
 from lib.geom import wrap
 from lib.goalie_places import direction
 from lib.paths import point_of
-from lib.steer import FULL, any_way
+from lib.steer import FULL, TURNS_FIRST, any_way
 from safety import own_box
 
 CLEAR = 42.0         # cm within which others are gone round,
@@ -19,7 +19,6 @@ PUSH_DEG = 70.0      # deg that the way turns for who is that near
 NEAR = 45.0          # cm from the place, from where on it looks at the ball
 GAIN = 4.0           # cm/s for each cm that is left
 SLOWLY = 8.0         # cm/s of who has to turn first: the legs go fast only ahead
-TURNS_FIRST = 60.0   # deg
 
 
 class RunTo(Skill):

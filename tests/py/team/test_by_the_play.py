@@ -113,7 +113,7 @@ def test_who_stands_ahead_is_passed_on_the_nearer_side(x, side):
 
 @pytest.mark.parametrize('x, side', [(171.0, 1.0), (189.0, -1.0)])
 def test_the_ball_is_passed_on_the_way_home_and_not_taken_along(x, side):
-    # A striker pushed a ball 157 cm home that lay 23 cm behind it.
+    # A striker in a match pushed a ball home that lay so far behind it.
     made, home = world(180.0, 340.0, -90.0), (180.0, 200.0)
     walk = RunTo().step(made, (home, (x, 317.0)))
     assert side * walk.turn_deg > 100.0
