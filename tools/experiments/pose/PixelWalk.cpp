@@ -214,6 +214,15 @@ void Believer::step(FrameInput& input) {
   world_ = gps::step({input, seen_, body.camera}, config_.gps, *gps_);
 }
 
+void walkThrough(const agent::AgentConfig& config, PixelWalk& walking, const AfterFrame& each) {
+  const auto robot = std::make_unique<Believer>(config);
+  for (int frame = 0; frame < PixelWalk::kFrames; ++frame) {
+    View& view = walking.next(frame, robot->lag());
+    robot->step(view.input);
+    each(frame, view, *robot);
+  }
+}
+
 void Recognised::compare(const std::vector<TrueObject>& objects, const Percepts& percepts) {
   const std::vector<SeenObject> all = seenObjects(percepts);
   for (const TrueObject& object : objects) {

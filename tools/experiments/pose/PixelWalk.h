@@ -5,6 +5,7 @@
 // not told of.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "gps/GpsState.h"
@@ -46,7 +47,6 @@ class PixelWalk {
   // `lag`: what the robot believes that its images are older than their stamps, s; it gets the
   // joints of that much earlier.
   View& next(int frame, double lag);
-  const Pose2& truth() const { return view_.pose; }
 
  private:
   static sim::TruePose startOf(const body::FieldDescription& field, Random& random);
@@ -81,6 +81,10 @@ class Believer {
   Percepts seen_;
   WorldModel world_;
 };
+
+// Walks it all; `each(frame, view, robot)` is called after every frame.
+using AfterFrame = std::function<void(int frame, const View& view, const Believer& robot)>;
+void walkThrough(const agent::AgentConfig& config, PixelWalk& walking, const AfterFrame& each);
 
 // Of beacons and goals that show, those that are among the percepts, and how many percepts are of
 // nothing that shows.

@@ -87,16 +87,13 @@ void judge(const WorldModel& world, const Pose2& truth, Walked& walked) {
 Walked walk(const agent::AgentConfig& config, const sim::RandomisationParams& randomised,
             const Spoil& spoil, std::uint64_t seed) {
   const auto walking = std::make_unique<PixelWalk>(config, randomised, seed, spoil);
-  const auto robot = std::make_unique<Believer>(config);
   Visibility visibility;
   Walked walked;
-  for (int frame = 0; frame < PixelWalk::kFrames; ++frame) {
-    View& view = walking->next(frame, frame > 0 ? robot->lag() : 0.0);
-    robot->step(view.input);
+  walkThrough(config, *walking, [&](int frame, const View& view, const Believer& robot) {
     if (frame % kLookedAt == 0)
-      walked.recognised.compare(trueObjects(view, config.field, visibility), robot->seen());
-    if (frame >= PixelWalk::kFrames - kCounted) judge(robot->world(), walking->truth(), walked);
-  }
+      walked.recognised.compare(trueObjects(view, config.field, visibility), robot.seen());
+    if (frame >= PixelWalk::kFrames - kCounted) judge(robot.world(), view.pose, walked);
+  });
   return walked;
 }
 

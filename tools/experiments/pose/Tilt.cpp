@@ -46,21 +46,18 @@ double tiltError(const WorldModel& world, const sim::Lean& lean) {
 Walked walk(const agent::AgentConfig& config, const sim::RandomisationParams& randomised,
             std::uint64_t seed) {
   const auto walking = std::make_unique<PixelWalk>(config, randomised, seed);
-  const auto robot = std::make_unique<Believer>(config);
   Visibility visibility;
   Walked walked;
-  for (int frame = 0; frame < kFrames; ++frame) {
-    View& view = walking->next(frame, frame > 0 ? robot->lag() : 0.0);
-    robot->step(view.input);
+  walkThrough(config, *walking, [&](int frame, const View& view, const Believer& robot) {
     if (frame % kLookedAt == 0) {
       ++walked.looked;
-      walked.recognised.compare(trueObjects(view, config.field, visibility), robot->seen());
+      walked.recognised.compare(trueObjects(view, config.field, visibility), robot.seen());
     }
     if (frame >= kKnown)
-      walked.tiltDeg += tiltError(robot->world(), view.real.body.lean) / (kFrames - kKnown);
+      walked.tiltDeg += tiltError(robot.world(), view.real.body.lean) / (kFrames - kKnown);
     if (frame >= kFrames - kCounted)
-      walked.cm += distance(robot->world().pose.position, walking->truth().position) / kCounted;
-  }
+      walked.cm += distance(robot.world().pose.position, view.pose.position) / kCounted;
+  });
   return walked;
 }
 
