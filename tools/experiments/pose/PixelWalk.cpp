@@ -116,7 +116,8 @@ PixelWalk::PixelWalk(const agent::AgentConfig& config, const sim::RandomisationP
   view_.real.body.accelerationBias =
       sim::drawRandomisedRobot(biased, seed, 0).body.accelerationBias;
   const Point2<Field> end = fieldFromRobot(walker_.truth.pose(), {0.0, kFrames * kStep});
-  view_.scene = sim::fieldScene(spoiltField(config.field, spoil, end), random_.next() | 1U);
+  field_ = spoiltField(config.field, spoil, end);
+  view_.scene = sim::fieldScene(field_, random_.next() | 1U);
   view_.ball = {random_.uniform(30.0, 330.0), random_.uniform(30.0, 510.0)};
   sim::setBall(view_.scene, view_.ball);
   view_.robotCamera = sim::randomCamera(random_, {});

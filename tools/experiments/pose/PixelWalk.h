@@ -19,7 +19,6 @@
 namespace kelpie::experiments {
 
 // What is wrong with a walk. Angles are in degrees, light is a factor.
-// in.
 struct Spoil {
   double jointsLate = 0.0;      // frames that joint angles are old
   double imageLate = 0.0;       // frames that images are old
@@ -47,6 +46,8 @@ class PixelWalk {
   // `lag`: what the robot believes that its images are older than their stamps, s; it gets the
   // joints of that much earlier.
   View& next(int frame, double lag);
+  // As it stands there: without a beacon that is absent, one that is off its place where it is.
+  const body::FieldDescription& field() const { return field_; }
 
  private:
   static sim::TruePose startOf(const body::FieldDescription& field, Random& random);
@@ -56,6 +57,7 @@ class PixelWalk {
   void sense(int frame, double lag);
 
   Spoil spoil_;
+  body::FieldDescription field_;
   View view_;
   Random random_;
   sim::Observer walker_;

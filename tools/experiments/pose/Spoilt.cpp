@@ -91,7 +91,7 @@ Walked walk(const agent::AgentConfig& config, const sim::RandomisationParams& ra
   Walked walked;
   walkThrough(config, *walking, [&](int frame, const View& view, const Believer& robot) {
     if (frame % kLookedAt == 0)
-      walked.recognised.compare(trueObjects(view, config.field, visibility), robot.seen());
+      walked.recognised.compare(trueObjects(view, walking->field(), visibility), robot.seen());
     if (frame >= PixelWalk::kFrames - kCounted) judge(robot.world(), view.pose, walked);
   });
   return walked;
