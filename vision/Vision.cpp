@@ -11,6 +11,7 @@
 #include "vision/beacon/BeaconFinder.h"
 #include "vision/edge/FieldEdge.h"
 #include "vision/goal/GoalFinder.h"
+#include "vision/light/LightSightings.h"
 #include "vision/line/LinePoints.h"
 #include "vision/pink/PinkFinder.h"
 #include "vision/robot/Obstacles.h"
@@ -48,6 +49,7 @@ void stepInto(Percepts& out, const VisionIn& in, const VisionParams& params, Vis
     refuse(out.counts, Refusal::poseOutOfRange);
     return;
   }
+  followLight(state.light, state.tables);
   Sampler sampler(in.input.image, state.tables, state.classes);
   sampler.reset();
   const HorizonFrame frame = horizonFrameOf(in.body.camera);
@@ -74,6 +76,8 @@ void stepInto(Percepts& out, const VisionIn& in, const VisionParams& params, Vis
   copyUsed(out.obstacles, obstacles.points);
   out.obstaclesAhead = obstacles.ahead;
   findLinePoints(scene, params.line, out);
+  if (params.light.follow && isWhole(state.light))
+    learnLight(seenLight(scene, out, params.light), params.light, state.light);
 }
 
 Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {

@@ -8,6 +8,7 @@
 #include "vision/beacon/BeaconFinderParams.h"
 #include "vision/edge/FieldEdgeParams.h"
 #include "vision/goal/GoalFinderParams.h"
+#include "vision/light/LightParams.h"
 #include "vision/line/LinePointParams.h"
 #include "vision/pink/PinkFinderParams.h"
 #include "vision/robot/ObstacleParams.h"
@@ -27,6 +28,7 @@ struct VisionParams {
   RobotFinderParams robot;
   PinkFinderParams pink;
   ObstacleParams obstacle;
+  LightParams light;
 
   template <int = 0>
   static constexpr auto fields() {
@@ -35,8 +37,8 @@ struct VisionParams {
                      field("goal", &VisionParams::goal), field("scan", &VisionParams::scan),
                      field("fieldEdge", &VisionParams::fieldEdge),
                      field("line", &VisionParams::line), field("robot", &VisionParams::robot),
-                     field("pink", &VisionParams::pink),
-                     field("obstacle", &VisionParams::obstacle));
+                     field("pink", &VisionParams::pink), field("obstacle", &VisionParams::obstacle),
+                     field("light", &VisionParams::light));
   }
 };
 

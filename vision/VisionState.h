@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vision's memory: the calibration as tables, and work buffers that each step overwrites. Nothing
-// of an earlier image is seen again. 300 KB: keep it off the stack.
+// Vision's memory: the calibration as tables, the light that they follow, and work buffers that
+// each step overwrites. Nothing else of an earlier image is seen again. 430 KB: keep it off the
+// stack.
 #pragma once
 
 #include "vision/ball/JudgedBall.h"
@@ -8,6 +9,7 @@
 #include "vision/blobs/Blobs.h"
 #include "vision/colour/VisionCalibration.h"
 #include "vision/goal/JudgedGoal.h"
+#include "vision/light/LightFollower.h"
 #include "vision/pixels/Sampler.h"
 #include "vision/robot/JudgedRobot.h"
 
@@ -18,6 +20,7 @@ struct VisionState {
   explicit VisionState(const VisionCalibration& calibration) : tables(calibration) {}
 
   PixelTables tables;
+  LightState light;
   ClassMemory classes;
   RunBuffer runs;
   BlobBuffer blobs;

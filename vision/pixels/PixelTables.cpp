@@ -14,4 +14,15 @@ RingByValue::RingByValue(const RingTable& table) : centre(table.centre) {
   }
 }
 
+void PixelTables::relight(const ChannelBytes& bytes, std::size_t part) {
+  constexpr std::size_t kValues = kByteValues / kTableParts;
+  for (std::size_t value = part * kValues; value < (part + 1) * kValues; ++value) {
+    const std::uint8_t* const from = calibrated.cells.data() + RingByValue::kStride * value;
+    std::uint8_t* const to = ring.cells.data() + RingByValue::kStride * value;
+    for (std::size_t i = 0; i < RingByValue::kCr; ++i) to[i] = bytes.y[from[i]];
+    for (std::size_t i = RingByValue::kCr; i < 3 * kRingDistances; ++i)
+      to[i] = bytes.chroma[from[i]];
+  }
+}
+
 }  // namespace kelpie::vision

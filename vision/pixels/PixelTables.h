@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The calibration as a pixel is looked up in it: the colour table, the ring table turned over, and
-// the distances of all pixels from the ring's centres. Made once, at start-up.
+// the distances of all pixels from the ring's centres. Made once, at start-up; the ring table again
+// where the light changed.
 #pragma once
 
 #include "vision/colour/RingTable.h"
@@ -29,13 +30,26 @@ struct RingByValue {
   std::array<RingCentre, 3> centre{};
 };
 
+// What each value of Y, and of Cr and Cb, becomes.
+struct ChannelBytes {
+  std::array<std::uint8_t, kByteValues> y{};
+  std::array<std::uint8_t, kByteValues> chroma{};
+};
+
+// The ring table is made anew by as many parts: one takes 90,000 instructions.
+constexpr std::size_t kTableParts = 4;
+
 struct PixelTables {
   explicit PixelTables(const VisionCalibration& calibration)
-      : colour(calibration.colour), ring(calibration.ring) {}
+      : colour(calibration.colour), ring(calibration.ring), calibrated(ring) {}
+
+  // That part of the ring table again, its corrected values changed.
+  void relight(const ChannelBytes& bytes, std::size_t part);
 
   ColourTable colour;
   RingByValue ring;
   RingDistances distances;
+  RingByValue calibrated;  // the ring table as it was measured
 };
 
 }  // namespace kelpie::vision

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "tests/vision/Painting.h"
+#include "vision/Vision.h"
+
+namespace kelpie::vision {
+namespace {
+
+Paint lit(Paint p, double light, double colour) {
+  return {light * p.y, 128.0 + light * colour * (p.cr - 128.0),
+          128.0 + light * colour * (p.cb - 128.0)};
+}
+
+// A line, and a beacon behind it, in light of which so much is there.
+Painting place(double light, double colour = 1.0) {
+  Painting p;
+  p.carpetEnd = 150;
+  p.lineAt = 60;
+  p.carpet = lit(kGreenPaint, light, colour);
+  p.beacons.push_back({{0, 150}, lit(kPinkPaint, light, colour), lit(kBluePaint, light, colour)});
+  p.noise = 3.0;
+  return p;
+}
+
+struct Robot {
+  std::unique_ptr<VisionState> state = stateForPaintings();
+  VisionParams params;
+  std::unique_ptr<FrameInput> input = std::make_unique<FrameInput>();
+
+  Robot() { params.light.follow = true; }
+  Percepts look(const Painting& painting, int images) {
+    const CameraPose camera = cameraAt(18, 0, -4);
+    paint(painting, camera, input->image);
+    Percepts seen;
+    for (int i = 0; i < images; ++i) seen = step({*input, bodyOf(camera)}, params, *state);
+    return seen;
+  }
+  LightGains light() const { return state->light.applied; }
+};
+
+bool seesBeacon(const Percepts& seen) {
+  return find(seen, LandmarkKind::beaconPinkOnBlue) != nullptr;
+}
+
+TEST(Light, ABeaconInLightOfHalfTheColourIsSeenAfterASecond) {
+  Robot robot;
+  const Painting dark = place(0.55, 0.8);
+  EXPECT_FALSE(seesBeacon(robot.look(dark, 1)));
+  EXPECT_TRUE(seesBeacon(robot.look(dark, 30)));
+}
+
+TEST(Light, UnlessItIsAskedForTheTableIsTakenAsItIs) {
+  Robot robot;
+  robot.params = {};
+  EXPECT_FALSE(seesBeacon(robot.look(place(0.55, 0.8), 31)));
+  EXPECT_EQ(robot.light().brightness, 1.0);
+}
+
+TEST(Light, IsEstimatedWithinATenthOfWhatItIs) {
+  for (const double light : {0.55, 0.75, 1.0, 1.35}) {
+    Robot robot;
+    robot.look(place(light), 100);
+    EXPECT_NEAR(robot.light().colour, light, 0.1) << light;
+  }
+}
+
+TEST(Light, ThatGoesOutAndOnAgainIsFollowedBothWays) {
+  Robot robot;
+  robot.look(place(1.0), 30);
+  EXPECT_TRUE(seesBeacon(robot.look(place(0.6), 200)));
+  EXPECT_TRUE(seesBeacon(robot.look(place(1.0), 200)));
+}
+
+TEST(Light, OfAnImageWithoutCarpetTellsNothing) {
+  Robot robot;
+  Painting wall;
+  wall.carpet = kWallPaint;
+  robot.look(wall, 50);
+  EXPECT_EQ(robot.light().brightness, 1.0);
+  EXPECT_EQ(robot.light().colour, 1.0);
+}
+
+TEST(Light, ADarkCarpetBesideWhiteLinesIsNoDarkLight) {
+  LightMemories memories{};
+  LightSightings seen{};
+  seen[0] = {true, std::log(0.7), std::log(0.7)};
+  for (int i = 0; i < 300; ++i) remember(seen, {}, {}, memories);
+  EXPECT_LT(estimatedLight(memories, {}).brightness, 0.8);
+  seen[1] = {true, 0.0, 0.0};  // lines that are white are in this light
+  for (int i = 0; i < 300; ++i) remember(seen, {}, {}, memories);
+  EXPECT_NEAR(estimatedLight(memories, {}).brightness, 1.0, 0.1);
+}
+
+TEST(Light, StaysWithinItsBounds) {
+  LightMemories memories{};
+  LightSightings seen{};
+  for (LightSighting& one : seen) one = {true, -5.0, -5.0};
+  for (int i = 0; i < 300; ++i) remember(seen, {}, {}, memories);
+  EXPECT_EQ(estimatedLight(memories, {}).brightness, LightParams{}.least);
+  EXPECT_EQ(estimatedLight(memories, {}).colour, LightParams{}.least);
+}
+
+TEST(Light, ThatIsDimmerMakesTheRingTableBrighterWithinSixtyImages) {
+  const auto tables = std::make_unique<PixelTables>(nominalCalibration());
+  LightState state;
+  for (int i = 0; i < 60; ++i) {
+    const double left = std::log(0.6 / state.applied.brightness);
+    const LightSighting one{true, left, left};
+    if (isWhole(state)) learnLight({one, one, one}, {}, state);
+    followLight(state, *tables);
+  }
+  EXPECT_NEAR(tables->ring({60, 140, 120}, {}).y, 100, 5);
+  EXPECT_EQ(tables->calibrated.cells,
+            std::make_unique<PixelTables>(nominalCalibration())->ring.cells);
+}
+
+}  // namespace
+}  // namespace kelpie::vision
