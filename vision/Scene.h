@@ -2,6 +2,7 @@
 // What every finder reads: the classified image, its blobs, the camera's place and the field.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "robot/body/FieldDescription.h"
@@ -51,6 +52,11 @@ inline double fieldEdgeRow(const FixedVector<FieldEdgePercept, 3>& edges, double
 }
 inline double fieldEdgeRow(const Scene& scene, double x) {
   return fieldEdgeRow(scene.fieldEdges, x);
+}
+
+// Below it there is carpet, and what stands on it.
+inline double carpetRow(const Scene& scene, double x) {
+  return std::max(horizonRow(scene, x), fieldEdgeRow(scene, x));
 }
 
 // How far a pixel is below the horizon or the field edge, px along the level image's columns;

@@ -9,7 +9,6 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kNeutral = 128.0;
 // A step of 12 in brightness beyond the shading range counts as much as the whole chroma radius.
 constexpr double kBrightnessRadius = 12.0;
 // How far the chroma follows the shading: 0 = not, 1 = in proportion.
@@ -36,8 +35,8 @@ double squaredDistance(const Prototype& p, Yuv c) {
   const double shade = maths::clamp(c.y / p.y, p.darkest, p.brightest);
   const double saturation =
       1.0 - kChromaFollows + kChromaFollows * maths::clamp(shade, 0.0, kMaxChromaShade);
-  const double dCr = c.cr - (kNeutral + saturation * (p.cr - kNeutral));
-  const double dCb = c.cb - (kNeutral + saturation * (p.cb - kNeutral));
+  const double dCr = c.cr - (kNeutralChroma + saturation * (p.cr - kNeutralChroma));
+  const double dCb = c.cb - (kNeutralChroma + saturation * (p.cb - kNeutralChroma));
   const double dY = c.y - shade * p.y;
   return (dCr * dCr + dCb * dCb) / maths::square(p.radius) + maths::square(dY / kBrightnessRadius);
 }

@@ -17,6 +17,8 @@
 
 namespace kelpie::vision {
 
+constexpr double kNeutralChroma = 128.0;  // Cr and Cb of grey
+
 struct ColourTable {
   static constexpr int kByteBits = 8;
   static constexpr unsigned kClassMask = 15U;  // four bits for each class

@@ -8,7 +8,6 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kNeutral = 128.0;
 constexpr double kMax = kByteValues - 1.0;
 
 std::uint8_t asByte(double value) {
@@ -20,7 +19,7 @@ void fill(const LightGains& gains, ChannelBytes& bytes) {
   for (std::size_t value = 0; value < kByteValues; ++value) {
     const double v = static_cast<double>(value);
     bytes.y[value] = asByte(v / gains.brightness);
-    bytes.chroma[value] = asByte(kNeutral + (v - kNeutral) / gains.colour);
+    bytes.chroma[value] = asByte(kNeutralChroma + (v - kNeutralChroma) / gains.colour);
   }
 }
 

@@ -9,17 +9,26 @@
 namespace kelpie::vision {
 namespace {
 
-constexpr double kNeutral = 128.0;
-
 struct Chroma {
   double cr = 0.0;
   double cb = 0.0;
   double norm() const { return std::sqrt(cr * cr + cb * cb); }
 };
 
-Chroma chromaOf(const SurfaceColour& c) { return {c.cr - kNeutral, c.cb - kNeutral}; }
-Chroma chromaOf(Yuv c) { return {c.cr - kNeutral, c.cb - kNeutral}; }
+Chroma chromaOf(Yuv c) { return {c.cr - kNeutralChroma, c.cb - kNeutralChroma}; }
 double dot(const Chroma& a, const Chroma& b) { return a.cr * b.cr + a.cb * b.cb; }
+
+// A surface in the light that the table was made for.
+struct Surface {
+  double y = 0.0;
+  Chroma chroma;
+  double norm = 0.0;  // of the chroma
+};
+
+Surface surfaceOf(const SurfaceColour& c) {
+  const Chroma chroma{c.cr - kNeutralChroma, c.cb - kNeutralChroma};
+  return {c.y, chroma, chroma.norm()};
+}
 
 // Of pixels of one kind: their brightness, their colour in the expected direction, and both as
 // expected.
@@ -30,14 +39,12 @@ struct Sums {
   double chroma = 0.0;
   double expectedChroma = 0.0;
 
-  void add(Yuv pixel, const SurfaceColour& expected) {
-    const Chroma direction = chromaOf(expected);
-    const double norm = direction.norm();
+  void add(Yuv pixel, const Surface& expected) {
     ++count;
     y += pixel.y;
     expectedY += expected.y;
-    chroma += dot(chromaOf(pixel), direction) / norm;
-    expectedChroma += norm;
+    chroma += dot(chromaOf(pixel), expected.chroma) / expected.norm;
+    expectedChroma += expected.norm;
   }
   LightSighting ratio(int least) const {
     if (count < least || y <= 0.0 || chroma <= 0.0) return {};
@@ -46,11 +53,11 @@ struct Sums {
 };
 
 // Of the carpet's chroma in the darkest light there are some 8 levels left.
-bool isCarpets(const Chroma& chroma, const Chroma& expected) {
+bool isCarpets(const Chroma& chroma, const Surface& carpet) {
   constexpr double kMinChroma = 5.0;  // levels
   constexpr double kCosine = 0.85;    // of 32 deg
   const double norm = chroma.norm();
-  return norm > kMinChroma && dot(chroma, expected) > kCosine * norm * expected.norm();
+  return norm > kMinChroma && dot(chroma, carpet.chroma) > kCosine * norm * carpet.norm;
 }
 
 LightSighting seenCarpet(const Scene& scene, const LightParams& params) {
@@ -58,16 +65,15 @@ LightSighting seenCarpet(const Scene& scene, const LightParams& params) {
   constexpr int kRows = 6;         // of each column
   constexpr double kBelow = 8.0;   // px below the horizon and the field edge
   constexpr int kMin = 15;         // pixels of the carpet
-  const Chroma expected = chromaOf(params.carpet);
+  const Surface carpet = surfaceOf(params.carpet);
   Sums sums;
   for (int px = kCoarseLeft + 2; px < kUsableRight; px += kColumnStep) {
-    const double above = std::max(horizonRow(scene, px), fieldEdgeRow(scene, px)) + kBelow;
-    const double top = std::max(above, kUsableTop * 1.0);
+    const double top = std::max(carpetRow(scene, px) + kBelow, kUsableTop * 1.0);
     const double step = (kUsableBottom - top) / kRows;
     if (step < 1.0) continue;
     for (int row = 0; row < kRows; ++row) {
       const Yuv pixel = scene.sampler.corrected(px, static_cast<int>(top + row * step));
-      if (isCarpets(chromaOf(pixel), expected)) sums.add(pixel, params.carpet);
+      if (isCarpets(chromaOf(pixel), carpet)) sums.add(pixel, carpet);
     }
   }
   return sums.ratio(kMin);
@@ -96,16 +102,26 @@ LightSighting seenLines(const Scene& scene, const Percepts& percepts, const Ligh
   return {true, maths::log(sum / (count * params.line.y)), 0.0};
 }
 
-const SurfaceColour* colourOf(ColourClass c, const LightParams& params) {
-  if (c == ColourClass::blue) return &params.blue;
-  if (c == ColourClass::yellow) return &params.yellow;
-  return c == ColourClass::pink ? &params.pink : nullptr;
-}
+// What landmarks are painted with.
+struct LandmarkSurfaces {
+  Surface blue, yellow, pink;
+
+  explicit LandmarkSurfaces(const LightParams& params)
+      : blue(surfaceOf(params.blue)),
+        yellow(surfaceOf(params.yellow)),
+        pink(surfaceOf(params.pink)) {}
+  const Surface* of(ColourClass c) const {
+    if (c == ColourClass::blue) return &blue;
+    if (c == ColourClass::yellow) return &yellow;
+    return c == ColourClass::pink ? &pink : nullptr;
+  }
+};
 
 LightSighting seenLandmarks(const Scene& scene, const Percepts& percepts,
                             const LightParams& params) {
   constexpr int kAcross = 5;  // pixels of a landmark's box, and as many down
   constexpr int kMin = 8;     // of its colours
+  const LandmarkSurfaces surfaces(params);
   Sums sums;
   for (const LandmarkPercept& mark : percepts.landmarks) {
     for (int i = 0; i < kAcross * kAcross; ++i) {
@@ -117,8 +133,8 @@ LightSighting seenLandmarks(const Scene& scene, const Percepts& percepts,
       const int py = Sampler::pixelOf(mark.box.top + down * (mark.box.bottom - mark.box.top));
       if (!Sampler::usable(px, py)) continue;
       const Yuv pixel = scene.sampler.corrected(px, py);
-      if (const auto* colour = colourOf(scene.sampler.classOf(pixel), params))
-        sums.add(pixel, *colour);
+      if (const Surface* surface = surfaces.of(scene.sampler.classOf(pixel)))
+        sums.add(pixel, *surface);
     }
   }
   const LightSighting seen = sums.ratio(kMin);

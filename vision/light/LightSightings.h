@@ -11,7 +11,6 @@
 
 namespace kelpie::vision {
 
-// Some 5,000 instructions.
 LightSightings seenLight(const Scene& scene, const Percepts& percepts, const LightParams& params);
 
 }  // namespace kelpie::vision

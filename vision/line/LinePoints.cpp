@@ -26,9 +26,7 @@ int firstRowBelow(double limit) {
   return static_cast<int>(maths::clamp(limit + 1.0, kUsableTop * 1.0, kImageHeight * 1.0));
 }
 
-int highestRow(const Scene& scene, int px) {
-  return firstRowBelow(std::max(horizonRow(scene, px), fieldEdgeRow(scene, px)));
-}
+int highestRow(const Scene& scene, int px) { return firstRowBelow(carpetRow(scene, px)); }
 
 bool keepsAnyPoint(const Finder& f, PixelPoint pixel) {
   if (!pointIsOutsideCorners(pixel, f.params)) {

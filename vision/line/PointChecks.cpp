@@ -66,7 +66,7 @@ bool headIsSlow(const BodyState& body, const LinePointParams& p) {
 }
 
 bool pointIsBelowHorizon(const Scene& scene, PixelPoint pixel) {
-  return pixel.y > std::max(horizonRow(scene, pixel.x), fieldEdgeRow(scene, pixel.x));
+  return pixel.y > carpetRow(scene, pixel.x);
 }
 
 bool pointIsOutsideCorners(PixelPoint pixel, const LinePointParams& p) {

@@ -36,7 +36,7 @@ struct ChannelBytes {
   std::array<std::uint8_t, kByteValues> chroma{};
 };
 
-// The ring table is made anew by as many parts: one takes 90,000 instructions.
+// The ring table is made anew by as many parts, one an image, so that none pays for all of it.
 constexpr std::size_t kTableParts = 4;
 
 struct PixelTables {

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "tests/vision/Painting.h"
 #include "vision/Vision.h"
+#include "vision/colour/ColourBuilder.h"
 
 namespace kelpie::vision {
 namespace {
@@ -83,6 +86,24 @@ TEST(Light, OfAnImageWithoutCarpetTellsNothing) {
   robot.look(wall, 50);
   EXPECT_EQ(robot.light().brightness, 1.0);
   EXPECT_EQ(robot.light().colour, 1.0);
+}
+
+// An owner's table brings its own; the built-in one's must not drift from what it is built of.
+TEST(Light, ItsSurfacesHaveTheColoursThatTheNominalTableIsBuiltOf) {
+  const LightParams light;
+  const std::vector<std::pair<ColourClass, SurfaceColour>> surfaces{
+      {ColourClass::green, light.carpet},
+      {ColourClass::white, light.line},
+      {ColourClass::blue, light.blue},
+      {ColourClass::yellow, light.yellow},
+      {ColourClass::pink, light.pink}};
+  for (const auto& [colour, surface] : surfaces)
+    for (const Prototype& p : nominalPrototypes())
+      if (p.colour == colour) {
+        EXPECT_EQ(surface.y, p.y);
+        EXPECT_EQ(surface.cr, p.cr);
+        EXPECT_EQ(surface.cb, p.cb);
+      }
 }
 
 TEST(Light, ADarkCarpetBesideWhiteLinesIsNoDarkLight) {
