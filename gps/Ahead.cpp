@@ -5,10 +5,16 @@
 
 namespace kelpie::gps {
 
+namespace {
+
+constexpr double kMostFrames = 5.0;  // that images lag
+
+}  // namespace
+
 Odometry sinceExposure(const FrameInput& input) {
   const double elapsed = elapsedOf(input);
   if (!(elapsed > 0.0) || !plausible(input.odometry)) return {};
-  const double share = maths::clamp(input.imageLag.seconds / elapsed, 0.0, 2.0);
+  const double share = maths::clamp(input.imageLag.seconds / elapsed, 0.0, kMostFrames);
   return {
       share * input.odometry.forward, share * input.odometry.left, input.odometry.turn * share, {}};
 }

@@ -11,6 +11,7 @@
 #include "gps/players/PlayersParams.h"
 #include "gps/pose/Crossing.h"
 #include "gps/pose/NoiseScale.h"
+#include "gps/pose/OdometryErrorsParams.h"
 #include "gps/pose/PoseParams.h"
 #include "gps/pose/Return.h"
 #include "gps/pose/Shake.h"
@@ -23,6 +24,7 @@ struct GpsParams {
   body::FieldDescription field;  // the agent's (AgentConfig::field), so it is not in the list
   InitialPose initialPose;
   MotionNoise motion;
+  OdometryErrorsParams odometryErrors;
   StuckParams stuck;
   ShakeParams shake;
   ReturnParams afterPenalty;
@@ -43,13 +45,14 @@ struct GpsParams {
     using kelpie::field;
     return fieldList(
         field("initialPose", &GpsParams::initialPose), field("motion", &GpsParams::motion),
-        field("stuck", &GpsParams::stuck), field("shake", &GpsParams::shake),
-        field("afterPenalty", &GpsParams::afterPenalty), field("gates", &GpsParams::gates),
-        field("modes", &GpsParams::modes), field("crossing", &GpsParams::crossing),
-        field("noiseScale", &GpsParams::noiseScale), field("tilt", &GpsParams::tilt),
-        field("focal", &GpsParams::focal), field("lag", &GpsParams::lag),
-        field("lines", &GpsParams::lines), field("pinks", &GpsParams::pinks),
-        field("ball", &GpsParams::ball), field("players", &GpsParams::players));
+        field("odometryErrors", &GpsParams::odometryErrors), field("stuck", &GpsParams::stuck),
+        field("shake", &GpsParams::shake), field("afterPenalty", &GpsParams::afterPenalty),
+        field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
+        field("crossing", &GpsParams::crossing), field("noiseScale", &GpsParams::noiseScale),
+        field("tilt", &GpsParams::tilt), field("focal", &GpsParams::focal),
+        field("lag", &GpsParams::lag), field("lines", &GpsParams::lines),
+        field("pinks", &GpsParams::pinks), field("ball", &GpsParams::ball),
+        field("players", &GpsParams::players));
   }
 };
 

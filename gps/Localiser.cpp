@@ -11,6 +11,7 @@
 #include "gps/camera/Tilt.h"
 #include "gps/players/BallLandmark.h"
 #include "gps/players/Players.h"
+#include "gps/pose/OdometryErrors.h"
 #include "gps/pose/Return.h"
 
 namespace kelpie::gps {
@@ -22,6 +23,7 @@ void prepare(const GpsParams& params, GpsState& state) {
   state.pose.modes[0].tilt = startingTilt(params.tilt);
   state.pose.focal = startingFocal(params.focal);
   state.pose.lag = startingLag(params.lag);
+  state.pose.odometry = startingErrors(params.odometryErrors);
 }
 
 namespace {
@@ -33,6 +35,7 @@ void believeInto(WorldModel& world, const GpsIn& in, const Step& moved, const Gp
   const PlayersContext players{params.field, params.players, params.ball};
   if (!state.pose.lost && correctByBall(state.ball.track, players, state.players, state.pose.modes))
     finishUpdate(params, state);
+  learnErrors(params.odometryErrors, state.pose);
   extractInto(world, state, params.ball);
   stepPlayers(in, players, state.players, state.counts, world);
   world.counts = state.counts;

@@ -16,6 +16,7 @@
 #include "gps/pose/Crossing.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/NoiseScale.h"
+#include "gps/pose/OdometryErrors.h"
 #include "gps/pose/Outliers.h"
 #include "gps/pose/PoseUpdate.h"
 #include "gps/pose/Shake.h"
@@ -38,7 +39,9 @@ void noteSighting(const GpsIn& in, const Measurement& seen, const GpsParams& par
                   PoseState& state) {
   const PoseMode& best = state.modes[0];
   updateFocal(in, best, seen, params.focal, state.focal);
-  updateLag(in.input, best, seen, params.lag, state.lag);
+  const LagView view{in.input, state.noiseScale * lateVariance(in.input),
+                     state.odometry.covariance[8]};
+  updateLag(view, seen, params.lag, state.lagReferences, state.lag);
   const Innovation bearing = bearingInnovation(best, seen);
   noteInnovation(best, maths::square(bearing.value) / bearing.variance, params.noiseScale,
                  state.noiseScale);
@@ -92,12 +95,13 @@ Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state) {
     return shaken(grown(noise, excess, elapsed, params.stuck), shake, elapsed, params.shake);
   };
   const StepNoise noise = stepNoise(walked, elapsed, params.motion);
-  const Odometry held = shortened(walked, excess, params.stuck);
-  const Step step{shortened(held, shake, params.shake), inContact(noise)};
+  const Odometry held = shortened(shortened(walked, excess, params.stuck), shake, params.shake);
+  const Step step{corrected(held, elapsed, pose.odometry), inContact(noise)};
   const StepNoise scaled = inContact(scaledBy(pose.noiseScale, noise));
-  for (PoseMode& mode : pose.modes) predict(mode, step.odometry, scaled);
+  predictAll(held, {step.odometry, scaled}, elapsed, params.odometryErrors, pose);
   driftTilt(elapsed, params.tilt, pose.modes);
   moveCrossing(step.odometry, elapsed, pose.surprising);
+  moveLagReferences(step.odometry, elapsed, pose.lagReferences);
   keepNearField(params.field, pose.modes);
   return step;
 }
@@ -116,9 +120,7 @@ Measurements measurements(const GpsIn& in, const GpsParams& params, GpsCounts& c
   Measurements all;
   if (!landmarksCount(in.input)) return all;
   const LandmarkMap map = body::landmarksFor(params.field, in.input.game.team);
-  // A heading that may be half a turn off says nothing, whatever rate the head claims to have.
-  const double late = std::min(maths::square(panRate(in.input)) * in.input.imageLag.variance,
-                               maths::square(maths::kPi));
+  const double late = lateVariance(in.input);
   for (const LandmarkPercept& percept : in.percepts.landmarks)
     if (auto m = measurement(percept, map, params.field, params.gates, counts)) {
       m->headingVariance += late;

@@ -13,7 +13,7 @@
 
 namespace kelpie::gps {
 
-// Time passes: the modes are moved by the odometry, less where the robot is stuck.
+// Time passes: the modes are moved by the odometry as corrected, less where the robot is stuck.
 Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state);
 
 // The camera's tilt, by what is seen too high or too low.

@@ -8,20 +8,21 @@
 namespace kelpie::gps {
 
 struct LagParams {
-  bool use = true;                     // otherwise images are as old as their stamps say
-  double initialSd = 0.012;            // s: a third of a frame
-  double max = 0.05;                   // s, one frame and a half
-  double minPanRate = 0.5;             // rad/s; slower heads say nothing of it
-  Angle maxHeadingSd = Angle::deg(6);  // of the mode
-  double gate = 4.0;                   // standard deviations
+  bool use = true;              // otherwise images are as old as their stamps say
+  double initialSd = 0.04;      // s, somewhat more than a frame
+  double min = -0.08;           // s; joints are older than images by two frames and a half
+  double max = 0.13;            // s, images by nearly four
+  double minRateChange = 1.0;   // rad/s, between two sightings of one landmark, and
+  double maxPairSeconds = 1.0;  // what is between them at most
+  double gate = 4.0;            // standard deviations
 
   template <int = 0>
   static constexpr auto fields() {
     using P = LagParams;
     return fieldList(field("use", &P::use), field("initialSd", &P::initialSd, "s", 1e-4, 1),
-                     field("max", &P::max, "s", 0, 0.06),
-                     field("minPanRate", &P::minPanRate, "rad/s", 0.01, 10),
-                     field("maxHeadingSd", &P::maxHeadingSd, "rad", 0.1, 90),
+                     field("min", &P::min, "s", -0.1, 0), field("max", &P::max, "s", 0, 0.2),
+                     field("minRateChange", &P::minRateChange, "rad/s", 0.1, 10),
+                     field("maxPairSeconds", &P::maxPairSeconds, "s", 0, 10),
                      field("gate", &P::gate, "", 1, 100));
   }
 };

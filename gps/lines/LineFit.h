@@ -29,6 +29,7 @@ struct SeenLines {
   double newEvidenceShare = 1.0;        // what no update has used before
   double noiseScale = 1.0;              // of the variances
   double headSpeed = 0.0;               // rad a frame, while they were seen
+  double lateVariance = 0.0;            // rad2, of the heading, by the lag that is not known
   // The camera, and the tilt with which the points were laid on the ground.
   Point3<Robot> eye{0.0, 8.0, 20.0};
   CameraTilt readWith;

@@ -40,6 +40,20 @@ Eigen::Matrix<double, N, N> floored(const Eigen::Matrix<double, N, N>& informati
   return 0.5 * (result + result.transpose());
 }
 
+// Of an observation whose heading is as much less sure: (Y^-1 + v h h')^-1.
+template <int N>
+Eigen::Matrix<double, N, N> turnedBy(double variance, const Eigen::Matrix<double, N, N>& y) {
+  const Eigen::Matrix<double, N, 1> heading = y.col(2);
+  return y - heading * heading.transpose() * (variance / (1.0 + variance * y(2, 2)));
+}
+
+// Points that are seen late lie turned about the robot.
+void blurByLag(double variance, LineObservation& seen) {
+  if (!(variance > 0.0)) return;
+  seen.pose.information = turnedBy<3>(variance, seen.pose.information);
+  seen.information = turnedBy<5>(variance, seen.information);
+}
+
 using Observations = FixedVector<std::optional<LineObservation>, kWorkModes>;
 
 // Of the heaviest modes; none for the lighter ones.
@@ -110,6 +124,7 @@ std::optional<LineObservation> observationAt(const PoseMode& mode, const SeenLin
   observation->pose.information *= share;
   observation->information *= share;
   observation->tiltPull *= share;
+  blurByLag(seen.lateVariance, *observation);
   return observation;
 }
 

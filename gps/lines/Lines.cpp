@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "gps/camera/Lag.h"
 #include "gps/lines/LineMap.h"
 #include "robot/body/Camera.h"
 
@@ -17,6 +18,7 @@ double headSpeedOf(const FrameInput& input) {
 SeenLines linesOfFrame(const GpsIn& in, const LineUpdateParams& params) {
   SeenLines seen = seenLines(in.percepts.linePoints, params);
   seen.headSpeed = headSpeedOf(in.input);
+  seen.lateVariance = lateVariance(in.input);
   seen.eye = in.camera.position;
   seen.readWith = in.camera.tilt;
   return seen;
@@ -27,6 +29,7 @@ SeenLines linesOfFrameOrMap(const GpsIn& in, const LinesParams& params, LineMap&
   if (countOfWhite(map) <= frame.lines.size()) return frame;
   SeenLines mapped = seenLines(map, params.map.matched, params.map);
   mapped.headSpeed = frame.headSpeed;
+  mapped.lateVariance = frame.lateVariance;
   mapped.eye = frame.eye;
   mapped.readWith = frame.readWith;
   map.newCount = 0.0;

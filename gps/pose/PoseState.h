@@ -49,6 +49,26 @@ struct SightingRecord {
 };
 using SightingRecords = std::array<SightingRecord, kLandmarkKindCount>;
 
+// An earlier sighting of a landmark, where it would be seen now.
+struct LagReference {
+  bool present = false;
+  double age = 0.0;  // s
+  Point2<Robot> place;
+  double variance = 0.0;  // rad2, of its heading
+  double rate = 0.0;      // rad/s, of the head
+  double usedLag = 0.0;   // s, that its joints were taken with
+};
+using LagReferences = std::array<LagReference, kLandmarkKindCount>;
+
+// What steps differ by from what the odometry tells (OdometryErrors.h): scale ahead, scale aside,
+// turn in rad/s. Covariances row by row.
+struct OdometryErrors {
+  std::array<double, 3> mean{};
+  std::array<double, 9> covariance{};
+  std::array<double, 9> cross{};  // of the best mode's pose (rows) with them
+  PoseMode predicted;             // that mode, after it has moved
+};
+
 struct PoseState {
   bool started = false;
   bool lost = true;  // no landmark has been used since the start or the last loss of all modes
@@ -56,6 +76,8 @@ struct PoseState {
   double noiseScale = 1.0;  // of the variances
   FocalScale focal;
   ImageLag lag;
+  LagReferences lagReferences{};
+  OdometryErrors odometry;
   SurprisingSighting surprising;
   SightingRecords sightings{};
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode predicted

@@ -37,14 +37,15 @@ TEST(JointTrack, TheStanceIsThatOfTheExposureToo) {
   EXPECT_NEAR(stance.bodyRoll.deg(), -0.5, 1e-9);
 }
 
-TEST(JointTrack, BeyondTheNewestTickAnglesGoOnForAtMostTwentyMilliseconds) {
+TEST(JointTrack, BeyondTheNewestTickAnglesGoOnForAtMostATenthOfASecond) {
   const JointTrack track = panning(12);
   EXPECT_NEAR(track.at({13 * kTickUs}).joints[Joint::headPan].deg(), 13.0, 1e-9);
-  EXPECT_NEAR(track.at({40 * kTickUs}).joints[Joint::headPan].deg(), 13.5, 1e-9);
+  EXPECT_NEAR(track.at({21 * kTickUs}).joints[Joint::headPan].deg(), 21.0, 1e-9);
+  EXPECT_NEAR(track.at({40 * kTickUs}).joints[Joint::headPan].deg(), 23.5, 1e-9);
 }
 
 TEST(JointTrack, OlderThanTheMemoryGivesTheOldestTick) {
-  EXPECT_NEAR(panning(40).at({0}).joints[Joint::headPan].deg(), 24.0, 1e-9);
+  EXPECT_NEAR(panning(40).at({0}).joints[Joint::headPan].deg(), 8.0, 1e-9);
 }
 
 TEST(JointTrack, RateIsInRadiansPerSecond) {
@@ -102,6 +103,21 @@ TEST(OdometryTrack, AnImageOfThreeMessagesAgoGetsTheWayUntilThen) {
     track.add({message * 32000}, {static_cast<double>(message), 0.0, Angle(), {}});
   EXPECT_NEAR(track.until({3 * 32000 + 16000}).forward, 1.0 + 2.0 + 3.0 + 2.0, 1e-12);
   EXPECT_NEAR(track.until({6 * 32000}).forward, 2.0 + 5.0 + 6.0, 1e-12);
+}
+
+TEST(OdometryTrack, AnImageOfSevenMessagesAgoGetsTheWayUntilThen) {
+  OdometryTrack track;
+  for (std::int64_t message = 1; message <= 9; ++message)
+    track.add({message * 32000}, {static_cast<double>(message), 0.0, Angle(), {}});
+  EXPECT_NEAR(track.until({2 * 32000}).forward, 1.0 + 2.0, 1e-12);
+}
+
+TEST(OdometryTrack, BeyondTheNewestMessageTheWayGoesOnForAtMostThree) {
+  OdometryTrack track;
+  for (std::int64_t message = 1; message <= 4; ++message)
+    track.add({message * 32000}, {2.0, 0.0, Angle(), {}});
+  EXPECT_NEAR(track.until({6 * 32000}).forward, 12.0, 1e-12);
+  EXPECT_NEAR(track.until({20 * 32000}).forward, 2.0, 1e-12);
 }
 
 }  // namespace

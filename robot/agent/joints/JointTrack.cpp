@@ -4,7 +4,8 @@
 namespace kelpie::agent {
 namespace {
 
-constexpr double kMaxExtrapolation = 2.5;  // ticks, 20 ms: half an exposure and one tick of delay
+constexpr double kMaxExtrapolation = 0.1;  // s
+constexpr std::size_t kRateTicks = 4;      // over which the rate is taken beyond the newest tick
 
 }  // namespace
 
@@ -12,6 +13,8 @@ JointTrack::Places JointTrack::placesAt(TimeUs time) const {
   const std::size_t count = next_ < kTicks ? next_ : kTicks;
   const std::size_t oldest = next_ - count;
   std::size_t newer = next_ - 1;
+  if (times_[newer % kTicks] < time)
+    return {oldest, newer - oldest > kRateTicks ? newer - kRateTicks : oldest, newer};
   while (newer > oldest + 1 && time < times_[(newer - 1) % kTicks]) --newer;
   return {oldest, newer > oldest ? newer - 1 : newer, newer};
 }
@@ -24,7 +27,8 @@ JointTrack::Span JointTrack::between(std::size_t older, std::size_t newer) const
 double JointTrack::partWay(const Places& places, TimeUs time) const {
   const Span span = between(places.older, places.newer);
   const double past = (time - span.start).seconds();
-  return span.seconds > 0.0 ? maths::clamp(past / span.seconds, 0.0, 1.0 + kMaxExtrapolation) : 0.0;
+  if (!(span.seconds > 0.0)) return 0.0;
+  return maths::clamp(past / span.seconds, 0.0, 1.0 + kMaxExtrapolation / span.seconds);
 }
 
 SensorFrame JointTrack::at(TimeUs time) const {

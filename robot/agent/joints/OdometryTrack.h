@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Odometry as a function of time. The motion loop reports what was walked in steps of 32 ms, images
-// are exposed in between, or before: the total is interpolated over the last four steps, and
-// extrapolated at the last rate for at most one, because an image may be newer than the last sensor
-// message. Components are summed in the robot frame; over one camera frame (at most 0.1 rad) the
-// error is below 0.1 cm.
+// are exposed in between, or before: the total is interpolated over the last eight steps, as
+// images may lag by 130 ms, and extrapolated at the last rate for at most three, as an image may be
+// newer than the last sensor message, the more so where joints are older than images. Components
+// are summed in the robot frame; over one camera frame (at most 0.1 rad) the error is below 0.1 cm.
 #pragma once
 
 #include <array>
@@ -43,7 +43,8 @@ class OdometryTrack {
   }
 
  private:
-  static constexpr std::size_t kSteps = 4;
+  static constexpr std::size_t kSteps = 8;
+  static constexpr double kMaxAhead = 3.0;  // steps
   struct Total {
     double forward = 0.0;  // cm
     double left = 0.0;     // cm
@@ -53,7 +54,7 @@ class OdometryTrack {
 
   Total totalAt(TimeUs time) const {
     const double message = kTickSeconds * kTicksPerMessage;
-    const double back = maths::clamp((end_ - time).seconds() / message, -1.0, double{kSteps});
+    const double back = maths::clamp((end_ - time).seconds() / message, -kMaxAhead, double{kSteps});
     const auto i = static_cast<std::size_t>(maths::clamp(back, 0.0, kSteps - 1.0));
     const Total& a = totals_[i];
     const Total& b = totals_[i + 1];

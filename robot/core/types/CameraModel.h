@@ -65,15 +65,16 @@ struct FocalScale {
   }
 };
 
-// How much earlier an image was exposed than its stamp says. The default is one that has been
-// estimated for a second of panning (LagParams).
+// How much earlier an image was exposed than its stamp says, or rather than its joints: negative
+// where the joints are the older ones. The default is one that has been estimated for a second of
+// panning (LagParams).
 struct ImageLag {
   double seconds = 0.0;
   double variance = 4e-6;  // s2: sd 2 ms
 
   template <int = 0>
   static constexpr auto fields() {
-    return fieldList(field("seconds", &ImageLag::seconds, "s", 0, 0.1),
+    return fieldList(field("seconds", &ImageLag::seconds, "s", -0.1, 0.2),
                      field("variance", &ImageLag::variance, "s2", 0, 1));
   }
 };
