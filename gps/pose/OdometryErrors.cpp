@@ -107,6 +107,9 @@ void learnErrors(const OdometryErrorsParams& params, PoseState& state) {
     errors.cross = {};
     return;
   }
+  set(errors.cross, after * gain.transpose());
+  // Lines alone fit a wrong pose as well, and what it taught would carry the robot on there.
+  if (state.secondsSinceLandmark > 0.0) return;
   const std::array<double, 3> max{params.max, params.max, params.maxTurn};
   for (int k = 0; k < 3; ++k) {
     double& mean = errors.mean[static_cast<std::size_t>(k)];
@@ -114,7 +117,6 @@ void learnErrors(const OdometryErrorsParams& params, PoseState& state) {
     mean = maths::clamp(mean + learnt(k), -limit, limit);
   }
   set(errors.covariance, 0.5 * (left + left.transpose()));
-  set(errors.cross, after * gain.transpose());
 }
 
 }  // namespace kelpie::gps

@@ -23,6 +23,7 @@ void predictAll(const Odometry& told, const Step& step, double elapsed,
                 const OdometryErrorsParams& params, PoseState& state);
 
 // At the end of a frame: by what has become of the mode that was the best one after prediction.
+// Learns in frames with a landmark; in others their covariance with the pose alone follows.
 void learnErrors(const OdometryErrorsParams& params, PoseState& state);
 
 }  // namespace kelpie::gps

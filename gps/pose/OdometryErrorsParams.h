@@ -9,8 +9,8 @@ namespace kelpie::gps {
 
 struct OdometryErrorsParams {
   bool use = true;             // otherwise steps are as long as the odometry tells
-  double scaleSd = 0.1;        // of steps ahead and aside, at the start
-  double turnSd = 0.04;        // rad/s while walking, at the start
+  double scaleSd = 0.08;       // of steps ahead and aside, at the start
+  double turnSd = 0.025;       // rad/s while walking, at the start
   double scaleDrift = 0.01;    // sd that comes with each second's square root
   double turnDrift = 0.01;     // rad/s, so
   double max = 0.5;            // of a scale's error

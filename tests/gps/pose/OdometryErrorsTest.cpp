@@ -99,6 +99,14 @@ TEST(OdometryErrors, APoseElsewhereTeachesNothing) {
   EXPECT_EQ(robot.state.odometry.mean, before);
 }
 
+TEST(OdometryErrors, FramesWithoutALandmarkTeachNothing) {
+  Walker robot;
+  robot.state.secondsSinceLandmark = 1.0;
+  robot.walk(100, {0.7, 0.0, {}, {}}, {0.9, 0.0, {}, {}});
+  EXPECT_EQ(robot.state.odometry.mean[0], 0.0);
+  EXPECT_GE(robot.sd(0), robot.params.scaleSd);
+}
+
 TEST(OdometryErrors, NotUsedTheyLeaveTheOdometryAsItIs) {
   Walker robot;
   robot.params.use = false;
