@@ -11,6 +11,7 @@
 #include "vision/beacon/BeaconFinder.h"
 #include "vision/edge/FieldEdge.h"
 #include "vision/goal/GoalFinder.h"
+#include "vision/light/LightFollower.h"
 #include "vision/light/LightSightings.h"
 #include "vision/line/LinePoints.h"
 #include "vision/pink/PinkFinder.h"
@@ -41,6 +42,7 @@ bool poseIsInRange(const BodyState& body) {
 
 void stepInto(Percepts& out, const VisionIn& in, const VisionParams& params, VisionState& state) {
   makeEmpty(out);
+  out.light = advanced(in.input.light);
   state.judgedBalls.clear();
   state.judgedBeacons.clear();
   state.judgedGoals.clear();
@@ -49,7 +51,7 @@ void stepInto(Percepts& out, const VisionIn& in, const VisionParams& params, Vis
     refuse(out.counts, Refusal::poseOutOfRange);
     return;
   }
-  followLight(state.light, state.tables);
+  state.tables.follow(out.light);
   Sampler sampler(in.input.image, state.tables, state.classes);
   sampler.reset();
   const HorizonFrame frame = horizonFrameOf(in.body.camera);
@@ -76,8 +78,8 @@ void stepInto(Percepts& out, const VisionIn& in, const VisionParams& params, Vis
   copyUsed(out.obstacles, obstacles.points);
   out.obstaclesAhead = obstacles.ahead;
   findLinePoints(scene, params.line, out);
-  if (params.light.follow && isWhole(state.light))
-    learnLight(seenLight(scene, out, params.light), params.light, state.light);
+  if (params.light.follow && isWhole(out.light))
+    learnLight(seenLight(scene, out, params.light), params.light, out.light);
 }
 
 Percepts step(const VisionIn& in, const VisionParams& params, VisionState& state) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vision's memory: the calibration as tables, the light that they follow, and work buffers that
+// Vision's memory: the calibration as tables, made for a light, and work buffers that
 // each step overwrites. Nothing else of an earlier image is seen again. 430 KB: keep it off the
 // stack.
 #pragma once
@@ -9,7 +9,6 @@
 #include "vision/blobs/Blobs.h"
 #include "vision/colour/VisionCalibration.h"
 #include "vision/goal/JudgedGoal.h"
-#include "vision/light/LightFollower.h"
 #include "vision/pixels/Sampler.h"
 #include "vision/robot/JudgedRobot.h"
 
@@ -20,7 +19,6 @@ struct VisionState {
   explicit VisionState(const VisionCalibration& calibration) : tables(calibration) {}
 
   PixelTables tables;
-  LightState light;
   ClassMemory classes;
   RunBuffer runs;
   BlobBuffer blobs;

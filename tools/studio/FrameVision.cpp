@@ -100,6 +100,7 @@ Status drawClasses(const std::string& log, TimeUs time, const std::string& out) 
   const auto frame = frameAt(log, time);
   if (!frame) return Error{frame.error()};
   const auto tables = std::make_unique<vision::PixelTables>(frame->config->calibration);
+  tables->follow(vision::advanced(frame->input->light));
   return picture::writePng(out, match::drawClasses(frame->input->image, *tables));
 }
 

@@ -25,6 +25,10 @@ struct Information {
   }
 };
 
+// By LightSource.
+constexpr std::array<LightMemory CameraLight::*, kLightSources> kMemories{
+    &CameraLight::carpet, &CameraLight::line, &CameraLight::landmark};
+
 double sdOf(LightSource source, const LightParams& params) {
   if (source == LightSource::carpet) return params.carpetSd;
   return source == LightSource::line ? params.lineSd : params.landmarkSd;
@@ -36,25 +40,24 @@ double within(const LightParams& params, double logarithm) {
 
 }  // namespace
 
-void remember(const LightSightings& seen, const LightGains& applied, const LightParams& params,
-              LightMemories& memories) {
-  const double brightness = maths::log(applied.brightness);
-  const double colour = maths::log(applied.colour);
+void remember(const LightSightings& seen, const LightParams& params, CameraLight& light) {
+  const double brightness = maths::log(light.applied.brightness);
+  const double colour = maths::log(light.applied.colour);
   for (std::size_t i = 0; i < kLightSources; ++i) {
     if (!seen[i].seen) continue;
-    LightMemory& memory = memories[i];
+    LightMemory& memory = light.*kMemories[i];
     memory.images = std::min(memory.images + 1.0, params.memory);
     memory.brightness += (seen[i].brightness + brightness - memory.brightness) / memory.images;
     memory.colour += (seen[i].colour + colour - memory.colour) / memory.images;
   }
 }
 
-LightGains estimatedLight(const LightMemories& memories, const LightParams& params) {
+LightGains estimatedLight(const CameraLight& light, const LightParams& params) {
   Information sum;
   sum.matrix[0] = 1.0 / maths::square(params.brightnessSd);
   sum.matrix[2] = 1.0 / maths::square(params.colourSd);
   for (std::size_t i = 0; i < kLightSources; ++i) {
-    const LightMemory& memory = memories[i];
+    const LightMemory& memory = light.*kMemories[i];
     if (memory.images < 1.0) continue;
     const auto source = static_cast<LightSource>(i);
     const double variance =

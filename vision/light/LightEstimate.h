@@ -9,15 +9,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "robot/core/types/CameraLight.h"
 #include "vision/light/LightParams.h"
 
 namespace kelpie::vision {
-
-// Of Y, and of Cr and Cb about grey.
-struct LightGains {
-  double brightness = 1.0;
-  double colour = 1.0;
-};
 
 enum class LightSource : std::uint8_t { carpet, line, landmark };
 constexpr std::size_t kLightSources = 3;
@@ -30,16 +25,8 @@ struct LightSighting {
 };
 using LightSightings = std::array<LightSighting, kLightSources>;
 
-struct LightMemory {
-  double images = 0.0;  // that the means are of; no more than `memory`
-  double brightness = 0.0;
-  double colour = 0.0;
-};
-using LightMemories = std::array<LightMemory, kLightSources>;
-
-// Sightings are of pixels that were divided by `applied` before.
-void remember(const LightSightings& seen, const LightGains& applied, const LightParams& params,
-              LightMemories& memories);
-LightGains estimatedLight(const LightMemories& memories, const LightParams& params);
+// Sightings are of pixels that were divided by `light.applied` before.
+void remember(const LightSightings& seen, const LightParams& params, CameraLight& light);
+LightGains estimatedLight(const CameraLight& light, const LightParams& params);
 
 }  // namespace kelpie::vision

@@ -4,24 +4,10 @@
 #include <cmath>
 
 #include "robot/core/Maths.h"
+#include "vision/pixels/PixelTables.h"
 
 namespace kelpie::vision {
 namespace {
-
-constexpr double kMax = kByteValues - 1.0;
-
-std::uint8_t asByte(double value) {
-  return static_cast<std::uint8_t>(maths::clamp(value + 0.5, 0.0, kMax));
-}
-
-// What each corrected value is in the light that the table was made for.
-void fill(const LightGains& gains, ChannelBytes& bytes) {
-  for (std::size_t value = 0; value < kByteValues; ++value) {
-    const double v = static_cast<double>(value);
-    bytes.y[value] = asByte(v / gains.brightness);
-    bytes.chroma[value] = asByte(kNeutralChroma + (v - kNeutralChroma) / gains.colour);
-  }
-}
 
 double stepped(double from, double to, const LightParams& params) {
   const double step = maths::log(to / from);
@@ -35,20 +21,14 @@ bool isWorthAStep(const LightGains& from, const LightGains& to, const LightParam
 
 }  // namespace
 
-void followLight(LightState& state, PixelTables& tables) {
-  if (isWhole(state)) return;
-  --state.partsToMake;
-  tables.relight(state.bytes, static_cast<std::size_t>(state.partsToMake));
-}
-
-void learnLight(const LightSightings& seen, const LightParams& params, LightState& state) {
-  remember(seen, state.applied, params, state.memories);
-  const LightGains light = estimatedLight(state.memories, params);
-  if (!isWorthAStep(state.applied, light, params)) return;
-  state.applied = {stepped(state.applied.brightness, light.brightness, params),
-                   stepped(state.applied.colour, light.colour, params)};
-  fill(state.applied, state.bytes);
-  state.partsToMake = static_cast<int>(kTableParts);
+void learnLight(const LightSightings& seen, const LightParams& params, CameraLight& light) {
+  remember(seen, params, light);
+  const LightGains now = estimatedLight(light, params);
+  if (!isWorthAStep(light.applied, now, params)) return;
+  light.before = light.applied;
+  light.applied = {stepped(light.applied.brightness, now.brightness, params),
+                   stepped(light.applied.colour, now.colour, params)};
+  light.partsToMake = static_cast<std::uint8_t>(kTableParts);
 }
 
 }  // namespace kelpie::vision

@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour table follows the light: pixels are divided by what the light is over that which the
-// table was made for. The division is in the ring table, so a pixel costs what it did; that table
-// is made anew by quarters, an image each, and by small steps, so that no image sees two lights
-// that differ by more.
+// The colour table follows the light by small steps, so that no image sees two lights that differ
+// by more: what the image showed decides which light the next ones are looked at in. A step takes
+// kTableParts images, a part of the ring table each (vision/pixels/PixelTables.h).
 #pragma once
 
 #include "vision/light/LightEstimate.h"
-#include "vision/pixels/PixelTables.h"
 
 namespace kelpie::vision {
 
-struct LightState {
-  LightMemories memories;
-  LightGains applied;   // what the ring table divides by, once it is whole
-  ChannelBytes bytes;   // of `applied`
-  int partsToMake = 0;  // of the ring table
-};
-
 // An image that is looked at while it is not is in two lights and tells neither.
-inline bool isWhole(const LightState& state) { return state.partsToMake == 0; }
+inline bool isWhole(const CameraLight& light) { return light.partsToMake == 0; }
 
-// Makes the ring table's next part, before an image is looked at.
-void followLight(LightState& state, PixelTables& tables);
 // What an image showed, after it; the ring table must have been whole.
-void learnLight(const LightSightings& seen, const LightParams& params, LightState& state);
+void learnLight(const LightSightings& seen, const LightParams& params, CameraLight& light);
 
 }  // namespace kelpie::vision

@@ -22,9 +22,7 @@ struct SurfaceColour {
 };
 
 struct LightParams {
-  // Off: what was seen before decides what is seen, and a log that does not keep every image could
-  // not be replayed.
-  bool follow = false;
+  bool follow = true;
   // The nominal table's (ColourBuilder.cpp); of a table from a file the ones that it was made with.
   SurfaceColour carpet{77, 103, 97};
   SurfaceColour line{189, 124, 129};

@@ -1,7 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/pixels/PixelTables.h"
 
+#include "robot/core/Maths.h"
+
 namespace kelpie::vision {
+namespace {
+
+constexpr double kMax = kByteValues - 1.0;
+
+std::uint8_t asByte(double value) {
+  return static_cast<std::uint8_t>(maths::clamp(value + 0.5, 0.0, kMax));
+}
+
+// What each corrected value is in the light that the table was made for.
+void fill(const LightGains& gains, ChannelBytes& bytes) {
+  for (std::size_t value = 0; value < kByteValues; ++value) {
+    const double v = static_cast<double>(value);
+    bytes.y[value] = asByte(v / gains.brightness);
+    bytes.chroma[value] = asByte(kNeutralChroma + (v - kNeutralChroma) / gains.colour);
+  }
+}
+
+}  // namespace
 
 RingByValue::RingByValue(const RingTable& table) : centre(table.centre) {
   for (std::size_t value = 0; value < kByteValues; ++value) {
@@ -14,15 +34,34 @@ RingByValue::RingByValue(const RingTable& table) : centre(table.centre) {
   }
 }
 
-void PixelTables::relight(const ChannelBytes& bytes, std::size_t part) {
+PixelTables::PixelTables(const VisionCalibration& calibration)
+    : colour(calibration.colour), ring(calibration.ring), calibrated_(ring) {}
+
+void PixelTables::follow(const CameraLight& light) {
+  for (std::size_t part = 0; part < kTableParts; ++part) {
+    const LightGains& wanted = part < light.partsToMake ? light.before : light.applied;
+    if (lights_[part] == wanted) continue;
+    if (bytesAreOf_ != wanted) fill(wanted, bytes_);
+    bytesAreOf_ = wanted;
+    make(part);
+    lights_[part] = wanted;
+  }
+}
+
+void PixelTables::make(std::size_t part) {
   constexpr std::size_t kValues = kByteValues / kTableParts;
   for (std::size_t value = part * kValues; value < (part + 1) * kValues; ++value) {
-    const std::uint8_t* const from = calibrated.cells.data() + RingByValue::kStride * value;
+    const std::uint8_t* const from = calibrated_.cells.data() + RingByValue::kStride * value;
     std::uint8_t* const to = ring.cells.data() + RingByValue::kStride * value;
-    for (std::size_t i = 0; i < RingByValue::kCr; ++i) to[i] = bytes.y[from[i]];
+    for (std::size_t i = 0; i < RingByValue::kCr; ++i) to[i] = bytes_.y[from[i]];
     for (std::size_t i = RingByValue::kCr; i < 3 * kRingDistances; ++i)
-      to[i] = bytes.chroma[from[i]];
+      to[i] = bytes_.chroma[from[i]];
   }
+}
+
+CameraLight advanced(CameraLight light) {
+  if (light.partsToMake > 0) --light.partsToMake;
+  return light;
 }
 
 }  // namespace kelpie::vision

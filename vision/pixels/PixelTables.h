@@ -4,6 +4,7 @@
 // where the light changed.
 #pragma once
 
+#include "robot/core/types/CameraLight.h"
 #include "vision/colour/RingTable.h"
 #include "vision/colour/VisionCalibration.h"
 
@@ -39,17 +40,29 @@ struct ChannelBytes {
 // The ring table is made anew by as many parts, one an image, so that none pays for all of it.
 constexpr std::size_t kTableParts = 4;
 
-struct PixelTables {
-  explicit PixelTables(const VisionCalibration& calibration)
-      : colour(calibration.colour), ring(calibration.ring), calibrated(ring) {}
+// Pixels are divided by what the light is over that which the colour table was made for. The division
+// is in the ring table, so a pixel costs what it did.
+class PixelTables {
+ public:
+  explicit PixelTables(const VisionCalibration& calibration);
 
-  // That part of the ring table again, its corrected values changed.
-  void relight(const ChannelBytes& bytes, std::size_t part);
+  // Makes those parts of the ring table anew that are of another light than this one says.
+  void follow(const CameraLight& light);
 
   ColourTable colour;
   RingByValue ring;
   RingDistances distances;
-  RingByValue calibrated;  // the ring table as it was measured
+
+ private:
+  void make(std::size_t part);
+
+  RingByValue calibrated_;  // the ring table as it was measured
+  std::array<LightGains, kTableParts> lights_;
+  LightGains bytesAreOf_;
+  ChannelBytes bytes_{};  // filled once another light than the table's is met
 };
+
+// The light in which the next image is looked at: one part more of the ring table is of it.
+CameraLight advanced(CameraLight light);
 
 }  // namespace kelpie::vision

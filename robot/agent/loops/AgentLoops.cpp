@@ -110,6 +110,7 @@ void AgentLoops::expose(TimeUs exposureMiddle, std::uint32_t number) {
   input_.stance = joints_.stance(exposed);
   input_.cameraTilt = frame_ != nullptr ? frame_->world.cameraTilt : startingTilt_;
   input_.focalScale = frame_ != nullptr ? frame_->world.focalScale : startingFocal_;
+  input_.light = frame_ != nullptr ? frame_->percepts.light : CameraLight{};
   input_.odometry = odometry_.until(exposed);
   input_.motion = motionOutput_->status;
   input_.battery = {motionInput_.batteryCurrent, motionInput_.batteryCharge};

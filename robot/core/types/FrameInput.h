@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "robot/core/Time.h"
+#include "robot/core/types/CameraLight.h"
 #include "robot/core/types/CameraModel.h"
 #include "robot/core/types/Command.h"
 #include "robot/core/types/ControlPacket.h"
@@ -80,6 +81,7 @@ struct FrameInput {
   CameraTilt cameraTilt;  // believed after the previous frame
   FocalScale focalScale;  // so
   ImageLag imageLag;      // so; joints, head rate and odometry are those of that much before `time`
+  CameraLight light;      // so
   Odometry odometry;      // from the exposure of the previous frame to that of this one
   MotionStatus motion;
   Battery battery;
@@ -99,7 +101,8 @@ struct FrameInput {
         field("droppedFrames", &FrameInput::droppedFrames), field("sensors", &FrameInput::sensors),
         field("headRate", &FrameInput::headRate), field("stance", &FrameInput::stance),
         field("cameraTilt", &FrameInput::cameraTilt), field("focalScale", &FrameInput::focalScale),
-        field("imageLag", &FrameInput::imageLag), field("odometry", &FrameInput::odometry),
+        field("imageLag", &FrameInput::imageLag), field("light", &FrameInput::light),
+        field("odometry", &FrameInput::odometry),
         field("motion", &FrameInput::motion), field("battery", &FrameInput::battery),
         field("game", &FrameInput::game), field("lastCommand", &FrameInput::lastCommand),
         field("drive", &FrameInput::drive), field("team", &FrameInput::team),

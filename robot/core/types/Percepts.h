@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "robot/core/FixedVector.h"
+#include "robot/core/types/CameraLight.h"
 #include "robot/core/types/CameraModel.h"
 #include "robot/core/types/FrameInput.h"
 #include "robot/core/types/Geometry.h"
@@ -194,6 +195,7 @@ struct Percepts {
   FixedVector<FieldEdgePercept, 3> fieldEdges;  // strongest first
   FixedVector<LinePoint, 256> linePoints;
   VisionCounts counts;
+  CameraLight light;  // believed after the image
 
   template <int = 0>
   static constexpr auto fields() {
@@ -203,7 +205,8 @@ struct Percepts {
         field("pinkPatches", &Percepts::pinkPatches), field("obstacles", &Percepts::obstacles),
         field("obstaclesAhead", &Percepts::obstaclesAhead),
         field("fieldEdges", &Percepts::fieldEdges), field("linePoints", &Percepts::linePoints),
-        field("counts", &Percepts::counts));
+        field("counts", &Percepts::counts),
+        field("light", &Percepts::light));
   }
 };
 

@@ -62,9 +62,11 @@ class Compressor {
     const Status read = decodeForPeople(message, *frame_);
     if (!read) return read;
     vision::ClassPlane plane{};
+    tables_->follow(vision::advanced(frame_->light));
     vision::classifyWhole(frame_->image, *tables_, plane);
     encodePlane(plane, frame_->plane);
     vision::imageOf(plane, frame_->image);
+    frame_->light = {};  // the plane's own colours are those that the table was made for
     out_.write(kPlaneFrameTopic, message.time, *frame_);
     out_.write(kFrameOutputTopic, message.time, loop_->step(*frame_, silent_));
     bytes_ += encodedSize(*frame_);

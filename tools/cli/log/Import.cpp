@@ -45,18 +45,21 @@ class Beliefs {
     input.cameraTilt = tilt_;
     input.focalScale = focal_;
     input.imageLag = lag_;
+    input.light = light_;
     return input;
   }
-  void take(const WorldModel& world) {
-    tilt_ = world.cameraTilt;
-    focal_ = world.focalScale;
-    lag_ = world.imageLag;
+  void take(const FrameOutput& output) {
+    tilt_ = output.world.cameraTilt;
+    focal_ = output.world.focalScale;
+    lag_ = output.world.imageLag;
+    light_ = output.percepts.light;
   }
 
  private:
   CameraTilt tilt_;
   FocalScale focal_;
   ImageLag lag_;
+  CameraLight light_;
 };
 
 // A terminal shows how far it is: an image takes a few ms, but an hour of them has 108000.
@@ -73,7 +76,7 @@ Status writeFrames(const Recording& recording, const gps::GpsParams& params, age
     FrameInput input = beliefs.inputOf(i, track);
     input.image = *image;
     const FrameOutput& output = loop.step(input, silent);
-    beliefs.take(output.world);
+    beliefs.take(output);
     log.write(kFrameInputTopic, input.time, input);
     log.write(kFrameOutputTopic, input.time, output);
     if (interrupted()) return Error{"interrupted"};

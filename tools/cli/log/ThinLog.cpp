@@ -62,6 +62,7 @@ void leaveOut(FrameInput& input) {
   input.sensors = {};
   input.sensors.joints = joints;
   input.headRate = {};
+  input.light = {};
   input.lastCommand = {};  // it stands in the output of the frame before
   input.team.clear();
 }
@@ -71,9 +72,11 @@ void leaveOut(FrameInput& input) {
 ThinFrames::ThinFrames(const vision::VisionCalibration& calibration)
     : tables_(std::make_unique<vision::PixelTables>(calibration)) {}
 
-void ThinFrames::writeWhole(const FrameInput& input, LogWriter& out) {
+void ThinFrames::writeWhole(const FrameInput& input, const CameraLight& light, LogWriter& out) {
   static_cast<FrameInput&>(*plane_) = input;
+  plane_->light = {};  // the plane's own colours are those that the table was made for
   vision::ClassPlane plane{};
+  tables_->follow(light);
   vision::classifyWhole(input.image, *tables_, plane);
   encodePlane(plane, plane_->plane);
   shorten(*plane_);
@@ -90,7 +93,7 @@ void ThinFrames::writeRest(const FrameInput& input, LogWriter& out) {
 void ThinFrames::write(const FrameInput& input, const FrameOutput& output, LogWriter& out) {
   *output_ = output;
   if (input.frame % kPlaneEvery == 0) {
-    writeWhole(input, out);
+    writeWhole(input, output.percepts.light, out);
   } else {
     writeRest(input, out);
     leaveOut(*output_);

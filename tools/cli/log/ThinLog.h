@@ -32,7 +32,7 @@ class ThinFrames {
   void write(const FrameInput& input, const FrameOutput& output, LogWriter& out);
 
  private:
-  void writeWhole(const FrameInput& input, LogWriter& out);
+  void writeWhole(const FrameInput& input, const CameraLight& light, LogWriter& out);
   void writeRest(const FrameInput& input, LogWriter& out);
 
   std::unique_ptr<vision::PixelTables> tables_;

@@ -116,6 +116,8 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
   if (options.player > 0) config.player = static_cast<std::uint8_t>(options.player);
   const Status calibration = applyCalibration(options, config.calibration);
   if (!calibration) return calibration;
+  // A table from a file does not tell what its surfaces look like (LightParams); parameters may.
+  if (!options.colourTable.empty()) config.vision.light.follow = false;
   if (options.body != Body::asItIs) config.gps.stuck.byLoad = options.body == Body::physical;
   if (options.body == Body::fast) sim::makeFast({}, config.actuator);
   ParameterSet set;

@@ -210,6 +210,7 @@ void Believer::step(FrameInput& input) {
   input.cameraTilt = first ? gps::startingTilt(config_.gps.tilt) : world_.cameraTilt;
   if (!first) input.focalScale = world_.focalScale;
   input.imageLag = first ? gps::startingLag(config_.gps.lag) : world_.imageLag;
+  if (!first) input.light = seen_.light;
   const BodyState body = body::step(input, config_.body);
   seen_ = vision::step({input, body}, config_.vision, *vision_);
   world_ = gps::step({input, seen_, body.camera}, config_.gps, *gps_);
