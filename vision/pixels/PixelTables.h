@@ -40,8 +40,8 @@ struct ChannelBytes {
 // The ring table is made anew by as many parts, one an image, so that none pays for all of it.
 constexpr std::size_t kTableParts = 4;
 
-// Pixels are divided by what the light is over that which the colour table was made for. The division
-// is in the ring table, so a pixel costs what it did.
+// Pixels are divided by what the light is over that which the colour table was made for. The
+// division is in the ring table, so a pixel costs what it did.
 class PixelTables {
  public:
   explicit PixelTables(const VisionCalibration& calibration);

@@ -102,12 +102,11 @@ struct FrameInput {
         field("headRate", &FrameInput::headRate), field("stance", &FrameInput::stance),
         field("cameraTilt", &FrameInput::cameraTilt), field("focalScale", &FrameInput::focalScale),
         field("imageLag", &FrameInput::imageLag), field("light", &FrameInput::light),
-        field("odometry", &FrameInput::odometry),
-        field("motion", &FrameInput::motion), field("battery", &FrameInput::battery),
-        field("game", &FrameInput::game), field("lastCommand", &FrameInput::lastCommand),
-        field("drive", &FrameInput::drive), field("team", &FrameInput::team),
-        field("radio", &FrameInput::radio), field("control", &FrameInput::control),
-        field("image", &FrameInput::image));
+        field("odometry", &FrameInput::odometry), field("motion", &FrameInput::motion),
+        field("battery", &FrameInput::battery), field("game", &FrameInput::game),
+        field("lastCommand", &FrameInput::lastCommand), field("drive", &FrameInput::drive),
+        field("team", &FrameInput::team), field("radio", &FrameInput::radio),
+        field("control", &FrameInput::control), field("image", &FrameInput::image));
   }
 };
 

@@ -205,8 +205,7 @@ struct Percepts {
         field("pinkPatches", &Percepts::pinkPatches), field("obstacles", &Percepts::obstacles),
         field("obstaclesAhead", &Percepts::obstaclesAhead),
         field("fieldEdges", &Percepts::fieldEdges), field("linePoints", &Percepts::linePoints),
-        field("counts", &Percepts::counts),
-        field("light", &Percepts::light));
+        field("counts", &Percepts::counts), field("light", &Percepts::light));
   }
 };
 
