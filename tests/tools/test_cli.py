@@ -229,8 +229,8 @@ def test_jsonl_has_one_object_a_frame(match, tmp_path):
     assert list(objects[-1]) == [
         "frame", "t_s", "dropped_frames", "game", "control_refused", "percepts", "gaps",
         "field_edge", "line_points", "obstacle_points", "obstacles_ahead", "refused",
-        "gps_refused", "pose", "camera_tilt", "focal_scale", "image_lag_s", "modes", "ball",
-        "team_ball", "opponents", "teammates", "obstacles", "pink_map", "command"]
+        "gps_refused", "pose", "camera_tilt", "focal_scale", "image_lag_s", "light", "modes",
+        "ball", "team_ball", "opponents", "teammates", "obstacles", "pink_map", "command"]
     assert set(objects[-1]["pose"]) == {"x_cm", "y_cm", "heading_deg", "sd_cm", "sd_deg", "stuck"}
     seen = [percept for o in objects for percept in o["percepts"]]
     assert {"ball", "beacon_pb"} <= {percept["kind"] for percept in seen}
