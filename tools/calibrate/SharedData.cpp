@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/calibrate/SharedData.h"
 
+#include "tools/cli/DataFolder.h"
+
 namespace kelpie::calibrate {
 
-std::string sharedData() { return KELPIE_SOURCE_DIR "/../shared/data/"; }
+std::string sharedData() { return cli::dataFolder() + "/../shared/data/"; }
 
 }  // namespace kelpie::calibrate

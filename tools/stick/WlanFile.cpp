@@ -12,6 +12,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "tools/cli/DataFolder.h"
 #include "tools/stick/Programs.h"
 
 namespace kelpie::stick {
@@ -167,7 +168,7 @@ Expected<WlanSettings> wlanSettings(const std::string& text, const std::string& 
 }
 
 Expected<WlanSettings> readWlanFile(const std::string& file) {
-  if (isInside(file, KELPIE_SOURCE_DIR))
+  if (isInside(file, cli::dataFolder()))
     return Error{file + ": lies in the source tree, where keys do not belong"};
   const auto text = readWhole(file);
   if (!text) return Error{text.error()};

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "tools/cli/DataFolder.h"
 #include "tools/cli/JsonText.h"
 #include "tools/cli/Version.h"
 #include "tools/live/Feed.h"
@@ -72,9 +73,9 @@ Status Studio::Parts::begin() {
   if (!feeding) return feeding;
   const auto playing = [this] { return folder == nullptr ? feed != nullptr : folder->playing(); };
   const std::string title = options.byTheClock ? "recorded logs" : options.folder;
-  site = std::make_unique<Site>(SiteParts{KELPIE_PAGE, cli::versionLine(), title, shelf, viewers,
-                                          studio, options.link, Behaviours(options.behaviours),
-                                          playing});
+  site = std::make_unique<Site>(SiteParts{cli::dataFolder() + "/build/studio/page",
+                                          cli::versionLine(), title, shelf, viewers, studio,
+                                          options.link, Behaviours(options.behaviours), playing});
   auto opened = web::Server::open(options.web, *site);
   if (!opened) return Error{opened.error()};
   server.emplace(std::move(*opened));

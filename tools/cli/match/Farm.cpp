@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "tools/cli/Commands.h"
+#include "tools/cli/DataFolder.h"
 #include "tools/cli/Process.h"
 
 namespace kelpie::cli {
@@ -17,9 +18,12 @@ constexpr const char* kPython = "/usr/bin/python3";  // Debian's, which has Dask
 }  // namespace
 
 int becomeFarm(std::vector<std::string> words) {
-  const std::string program = KELPIE_SOURCE_DIR "/tools/farm/main.py";
+  const std::string program = dataFolder() + "/tools/farm/main.py";
   if (access(program.c_str(), R_OK) != 0)
-    return fail("the farm is part of the source tree, which is gone: " + program, kExitBadInput);
+    return fail(
+        "the farm is part of the source tree and of the package kelpie-dev, but not here: " +
+            program,
+        kExitBadInput);
   setenv("KELPIE_PROGRAM", (programFolder() + "/kelpie").c_str(), 0);
   words.insert(words.begin(), {kPython, program});
   return fail(becomeProgram(std::move(words)), kExitBadInput);

@@ -9,6 +9,7 @@
 
 #include "robot/body/FieldDescription.h"
 #include "robot/core/parameters/ParameterFile.h"
+#include "tools/cli/DataFolder.h"
 #include "tools/sim/bodies/FastActuator.h"
 
 namespace kelpie::cli {
@@ -167,7 +168,7 @@ Status checkScripts(const std::string& scripts) {
   return Done{};
 }
 
-std::string defaultScripts() { return KELPIE_SOURCE_DIR "/pycode"; }
-std::string defaultTeam() { return KELPIE_SOURCE_DIR "/teams/kelpie"; }
+std::string defaultScripts() { return dataFolder() + "/pycode"; }
+std::string defaultTeam() { return dataFolder() + "/teams/kelpie"; }
 
 }  // namespace kelpie::cli

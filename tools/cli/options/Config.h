@@ -47,7 +47,7 @@ Expected<agent::AgentConfig> makeConfig(const ConfigOptions& options,
 // A folder of behaviours must hold main.py; a zip is looked into when it is loaded.
 Status checkScripts(const std::string& scripts);
 
-// pycode/ of the source tree that the program was built from.
+// The behaviours that came with the program (DataFolder.h).
 std::string defaultScripts();
 // The folder of the team that plays where nobody names another.
 std::string defaultTeam();

@@ -9,6 +9,7 @@
 
 #include "tools/calibrate/body/BodyEstimate.h"
 #include "tools/calibrate/body/ResidualPicture.h"
+#include "tools/cli/DataFolder.h"
 #include "tools/cli/RunDirectory.h"
 #include "tools/cli/log/Logs.h"
 #include "tools/experiments/harness/ChildProcesses.h"
@@ -52,7 +53,7 @@ struct Found {
 // Plays, and keeps the log of the stand.
 Status record(const agent::AgentConfig& config, const Request& request, std::uint64_t seed,
               const std::string& path, sim::RandomisedRobot& truth) {
-  LocaliseMatch match(config, KELPIE_SOURCE_DIR "/tools/calibrate/looking", seed,
+  LocaliseMatch match(config, cli::dataFolder() + "/tools/calibrate/looking", seed,
                       request.randomised);
   if (match.world().randomised().robots.size() > 0) truth = match.world().randomised().robots[0];
   const Status up = match.play(kGetUp, {});

@@ -9,6 +9,7 @@
 
 #include "robot/core/Random.h"
 #include "robot/host/OnCores.h"
+#include "tools/cli/DataFolder.h"
 #include "tools/experiments/harness/Experiment.h"
 #include "tools/experiments/harness/Statistics.h"
 #include "tools/experiments/harness/Trace.h"
@@ -268,7 +269,7 @@ class Judge {
 };
 
 Expected<Json> kickMap(const Request& request) {
-  const std::string path = std::string(KELPIE_SOURCE_DIR) + "/pycode/data/kick_map.py";
+  const std::string path = cli::dataFolder() + "/pycode/data/kick_map.py";
   std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <thread>
 
+#include "tools/cli/DataFolder.h"
 #include "tools/cli/Process.h"
 
 namespace kelpie::experiments {
@@ -33,7 +34,7 @@ One playOne(const cli::SessionOptions& session) {
 }  // namespace
 
 std::string sideOr(const std::string& folder, const char* usual) {
-  return folder.empty() ? std::string(KELPIE_SOURCE_DIR "/teams/") + usual : folder;
+  return folder.empty() ? cli::dataFolder() + "/teams/" + usual : folder;
 }
 
 cli::SessionOptions sessionOf(const Request& request, const Trial& trial) {

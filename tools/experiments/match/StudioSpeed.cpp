@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "tools/cli/DataFolder.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/RunDirectory.h"
 #include "tools/experiments/harness/Statistics.h"
@@ -25,7 +26,9 @@ namespace fs = std::filesystem;
 
 constexpr double kMinutes = 10.0;         // of play in the match whose logs are opened
 constexpr double kWatchedSeconds = 60.0;  // of each match that is watched
-constexpr const char* kPage = KELPIE_SOURCE_DIR "/tools/studio/page/";
+
+// Its programs are in the source tree only.
+std::string pageFolder() { return cli::dataFolder() + "/tools/studio/page/"; }
 
 // What both kinds of match have in common: two teams, and the logs of all robots.
 Expected<cli::SessionOptions> match(const Request& request, const cli::MatchFolder& folder,
@@ -71,7 +74,7 @@ Expected<cli::Process> node(const std::vector<std::string>& words, int nice) {
 
 // The page's own figures.
 Expected<Json> lookAt(const std::string& url, std::uint64_t seed) {
-  auto looking = node({std::string(kPage) + "measure.mjs", url, std::to_string(seed)}, 0);
+  auto looking = node({pageFolder() + "measure.mjs", url, std::to_string(seed)}, 0);
   if (!looking) return Error{looking.error()};
   std::string line, last;
   while (!looking->ended())
@@ -109,7 +112,7 @@ Expected<double> watchedMatch(const Request& request, const std::string& scratch
   if (!studio) return Error{studio.error()};
   const std::string url = (*studio)->url() + (watched == Watched::deaf ? "/live" : "/");
   std::vector<cli::Process> viewers;
-  const std::vector<std::string> words = {std::string(kPage) + "watch.mjs", url,
+  const std::vector<std::string> words = {pageFolder() + "watch.mjs", url,
                                           watched == Watched::deaf ? "deaf" : "all"};
   for (int i = 0; i < (watched == Watched::nobody ? 0 : watched == Watched::two ? 2 : 1); ++i) {
     auto viewer = node(words, 19);

@@ -17,7 +17,6 @@ constexpr std::size_t kBins = 10;
 constexpr double kWholeMinute = 59.0;  // s; a minute of a team that is shorter is left out
 
 constexpr TeamColour kColours[] = {TeamColour::red, TeamColour::blue};
-constexpr const char* kTeams = KELPIE_SOURCE_DIR "/teams/";
 
 // Which of the two teams plays in each colour; two pairings of four are of both teams.
 struct Pairing {
@@ -111,8 +110,8 @@ Json figuresOf(const Found& found) {
 cli::SessionOptions pairedSession(const Request& request, const Trial& trial, const Pairing& pair,
                                   double seconds) {
   cli::TeamPlan plan = *cli::teamPlan("4v4");
-  plan.redFolder = std::string(kTeams) + pair.red;
-  plan.blueFolder = std::string(kTeams) + pair.blue;
+  plan.redFolder = sideOr("", pair.red);
+  plan.blueFolder = sideOr("", pair.blue);
   cli::SessionOptions session = sessionOf(request, trial);
   session.seconds = seconds;
   session.percepts = session.keepFrames = true;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/core/Random.h"
+#include "tools/cli/DataFolder.h"
 #include "tools/experiments/harness/ChildProcesses.h"
 #include "tools/experiments/pose/LocaliseFilters.h"
 
@@ -69,7 +70,7 @@ Pose2 beside(const Pose2& pose, Random& random) {
 
 Expected<Stands> standAtPlaces(const Request& request, const agent::AgentConfig& config,
                                std::uint64_t seed) {
-  LocaliseMatch match(config, KELPIE_SOURCE_DIR "/tools/experiments/pose/standing", seed,
+  LocaliseMatch match(config, cli::dataFolder() + "/tools/experiments/pose/standing", seed,
                       request.randomised);
   Random random(seed ^ 0x57a2dULL);
   const body::FieldDescription& field = config.field;

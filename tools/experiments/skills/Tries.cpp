@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/experiments/skills/Tries.h"
 
+#include "tools/cli/DataFolder.h"
+
 namespace kelpie::experiments {
 
 Status playTries(const Request& request, const Tries& tries) {
@@ -39,7 +41,7 @@ void addStanding(const Pose2& pose, cli::SessionOptions& session, std::uint8_t p
   cli::OtherRobot standing;
   standing.player = player;
   standing.seed = session.seed;
-  standing.pycode = KELPIE_SOURCE_DIR "/tools/experiments/skills/standing";
+  standing.pycode = cli::dataFolder() + "/tools/experiments/skills/standing";
   session.others.push_back(standing);
   session.staging.places.push_back(placed(TeamColour::blue, pose, player));
 }

@@ -4,6 +4,7 @@
 // a curve round them and straight, by the same seeds; until it is home by its true place.
 #include <array>
 
+#include "tools/cli/DataFolder.h"
 #include "tools/experiments/skills/Tries.h"
 #include "tools/experiments/team/WayHome.h"
 
@@ -22,7 +23,7 @@ void addAttackingMate(Point2<Field> ball, cli::SessionOptions& session) {
   mate.team = "red";
   mate.player = kMate;
   mate.seed = session.seed;
-  mate.pycode = KELPIE_SOURCE_DIR "/tools/experiments/team/attacking";
+  mate.pycode = cli::dataFolder() + "/tools/experiments/team/attacking";
   session.others.push_back(mate);
   const Pose2 pose{ball + Point2<Field>{0.0, kBeside}, Angle::deg(-90.0)};
   session.staging.places.push_back(placed(TeamColour::red, pose, kMate));

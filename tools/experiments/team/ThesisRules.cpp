@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "tools/cli/DataFolder.h"
 #include "tools/cli/Process.h"
 #include "tools/experiments/challenge/Challenge.h"
 #include "tools/experiments/harness/ChildProcesses.h"
@@ -20,14 +21,15 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr double kSeconds = 600.0;  // of the match
-constexpr const char* kThesis = KELPIE_SOURCE_DIR "/teams/thesis";
-constexpr const char* kFolder = KELPIE_SOURCE_DIR "/tools/experiments/team/";
-constexpr const char* kRules = KELPIE_SOURCE_DIR "/tools/experiments/team/thesis_rules.json";
+constexpr double kSeconds = 600.0;               // of the match
 constexpr const char* kChallenge = "challenge";  // the scene that is no match
 // A scene is played by other seeds until all of its rows have come.
 constexpr int kTries = 8;
 constexpr std::uint64_t kSeedStep = 1000;
+
+std::string besideThis(const std::string& file) {
+  return cli::dataFolder() + "/tools/experiments/team/" + file;
+}
 
 // Robots of the theses' team, without a referee from the first frame on: in the words of `kelpie
 // play`.
@@ -78,9 +80,10 @@ std::vector<T> listFrom(const Json& rows) {
 }
 
 Expected<Table> readTable() {
-  std::ifstream file(kRules);
+  const std::string path = besideThis("thesis_rules.json");
+  std::ifstream file(path);
   const Json json = Json::parse(file, nullptr, false);
-  if (json.is_discarded()) return Error{std::string(kRules) + ": no JSON"};
+  if (json.is_discarded()) return Error{path + ": no JSON"};
   return Table{listFrom<Rule>(json.at("rules")), listFrom<Scene>(json.at("scenes"))};
 }
 
@@ -109,7 +112,7 @@ Expected<cli::SessionOptions> thesisSession(const Request& request, const Trial&
                                             const std::string& robots) {
   auto plan = cli::teamPlan(robots);
   if (!plan) return Error{plan.error()};
-  plan->redFolder = plan->blueFolder = kThesis;
+  plan->redFolder = plan->blueFolder = sideOr("", "thesis");
   cli::SessionOptions session = sessionOf(request, trial);
   session.seconds = request.minutes > 0.0 ? 60.0 * request.minutes : kSeconds;
   session.goals = 99;
@@ -142,7 +145,7 @@ Status countScene(const Request& request, const Trial& trial, const Scene& scene
   repeat(scene, *staging);
   session->staging = *staging;
   session->seconds = scene.seconds;
-  if (!scene.params.empty()) session->params.push_back(std::string(kFolder) + scene.params);
+  if (!scene.params.empty()) session->params.push_back(besideThis(scene.params));
   session->set.insert(session->set.end(), scene.set.begin(), scene.set.end());
   for (cli::OtherRobot& robot : session->others) {
     robot.set.insert(robot.set.end(), scene.set.begin(), scene.set.end());
@@ -178,7 +181,7 @@ Expected<Counted> countChallenge(const Request& request, const Trial& trial,
   Request once = request;
   once.trials = 1;
   once.seed = trial.seed;
-  once.params.push_back(std::string(kThesis) + "/team.toml");
+  once.params.push_back(sideOr("", "thesis") + "/team.toml");
   const auto config = agentConfig(once);
   if (!config) return Error{config.error()};
   const auto found = trialsInChildProcesses(once, [&](const Trial& one) -> Expected<Counted> {

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "tools/cli/DataFolder.h"
+
 namespace kelpie::value {
 namespace {
 
@@ -69,7 +71,7 @@ std::array<double, kFeatures> numbersOf(const Features& features) {
 
 }  // namespace
 
-std::string modelFolder() { return KELPIE_SOURCE_DIR "/tools/league/value"; }
+std::string modelFolder() { return cli::dataFolder() + "/tools/league/value"; }
 
 Expected<Models> readModels(const std::string& folder) {
   auto near = readModel(folder + "/near.json");
