@@ -51,7 +51,8 @@ echo KELPIE_HAS_TESTS:INTERNAL=$GTEST >build/$2/CMakeCache.txt
     return build
 
 
-@pytest.mark.parametrize("name", ["run", "test", "build", "install", "check", "bare", "fuzz"])
+@pytest.mark.parametrize("name", ["run", "test", "build", "install", "check", "bare", "fuzz",
+                                  "package"])
 def test_help_names_the_script_and_does_nothing_else(name):
     result = run(TOOLS / name, "--help")
     assert result.returncode == 0 and result.stderr == ""
