@@ -9,6 +9,7 @@
 namespace kelpie::cli {
 
 void addPlay(CommandLine& app, int& code);
+void addNewTeam(CommandLine& app, int& code);
 void addGameController(CommandLine& app, int& code);
 void addTeleop(CommandLine& app, int& code);
 void addReplay(CommandLine& app, int& code);

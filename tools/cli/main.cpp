@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
       "memory, a process that died), 130 interrupted.");
   int code = kelpie::cli::kExitDone;
   kelpie::cli::addPlay(app, code);
+  kelpie::cli::addNewTeam(app, code);
   kelpie::cli::addGameController(app, code);
   kelpie::cli::addTeleop(app, code);
   kelpie::cli::addStudio(app, code);

@@ -16,7 +16,7 @@ RULE = re.compile(r"\|(\s*:?-+:?\s*\|)+")
 BEHAVIOURS = (ROOT / "docs/behaviours.md").read_text()
 SHELVES = {"Guide": "guides", "Reference": "reference", "Records": "records"}
 OPTION = re.compile(r"^  (?:-\w,)?(--[a-z][a-z-]+)", re.M)
-SUBCOMMAND = re.compile(r"^  ([a-z]+)  ", re.M)
+SUBCOMMAND = re.compile(r"^  ([a-z-]+)  ", re.M)
 
 
 def tables(text):
