@@ -11,6 +11,7 @@ import pytest
 from conftest import BIN, ROOT, kelpie
 
 BUILD = BIN.parent
+PROGRAMS = [BIN / "kelpie", BIN / "kelpie-world"]
 
 
 def run(*words, **more):
@@ -22,7 +23,7 @@ def run(*words, **more):
 def files_of_a_release(tmp_path_factory):
     out = tmp_path_factory.mktemp("release")
     for words in (["manual.py", BIN / "kelpie", out],
-                  ["sbom.py", "write", out, "--build", BUILD, BIN / "kelpie", BIN / "kelpie-world"]):
+                  ["sbom.py", "write", out, "--build", BUILD, *PROGRAMS]):
         done = run("/usr/bin/python3", ROOT / "tools/release" / words[0], *words[1:], "--version",
                    "1.2", env={**os.environ, "SOURCE_DATE_EPOCH": "86400"})
         assert done.returncode == 0, done.stderr
@@ -67,7 +68,7 @@ def check(release, *programs):
 
 
 def test_every_library_that_the_loader_loads_is_named(release, tmp_path):
-    assert check(release, BIN / "kelpie", BIN / "kelpie-world").returncode == 0
+    assert check(release, *PROGRAMS).returncode == 0
     document = json.loads((release / "kelpie.spdx.json").read_text())
     document["packages"] = [one for one in document["packages"] if one["name"] != "libmujoco2.2.2"
                             and not one["name"].startswith("libmujoco")]

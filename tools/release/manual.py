@@ -76,9 +76,9 @@ def all_below(command):
 def manual(top, version):
     day = time.strftime("%Y-%m-%d", time.gmtime(int(os.environ.get("SOURCE_DATE_EPOCH", "0"))))
     parts = [f'.TH KELPIE 1 "{day}" "kelpie {version}"\n.SH NAME\nkelpie \\- robot soccer of the '
-             f"AIBO ERS\\-7, simulated\n.SH SYNOPSIS\n.B kelpie\n[\\fIOPTIONS\\fR] \\fISUBCOMMAND\\fR"
-             f" ...\n.SH DESCRIPTION\n{roff(top.about)}\n.SH OPTIONS\n", *entries(top),
-             ".SH SUBCOMMANDS\n"]
+             f"AIBO ERS\\-7, simulated\n.SH SYNOPSIS\n.B kelpie\n[\\fIOPTIONS\\fR] "
+             f"\\fISUBCOMMAND\\fR ...\n.SH DESCRIPTION\n{roff(top.about)}\n.SH OPTIONS\n",
+             *entries(top), ".SH SUBCOMMANDS\n"]
     for name, text in top.sections["Subcommands"]:
         parts.append(f".TP\n\\fB{roff(name)}\\fR\n{roff(text)}\n")
     for one in all_below(top):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tools/check_changes.py: a word of the command line that comes or goes is named in CHANGELOG.md."""
+"""tools/check_changes.py: a word of the command line that comes or goes is named in
+CHANGELOG.md."""
 
 import shutil
 import subprocess
