@@ -20,11 +20,11 @@ TAKE = {"max": max, "min": min, "sum": sum, "ratio": lambda values: values[0] / 
 FIELDS = {
     "data file": {"seeds", "files", "run", "subject"},
     "run": {"experiment", "trials", "options", "seconds", "seeded", "files", "alone"},
-    "subject": {"title", "text", "run", "rows"},
+    "subject": {"title", "text", "run", "rows", "files"},
     "measured": {"run", "what", "key", "take", "factor", "digits", "unit", "required",
                  "required_says", "reference", "reference_key", "source", "needs_data"},
     "by hand": {"what", "command", "value", "stated", "digits", "unit", "required", "verdict",
-                "reference", "source", "date", "commit"}}
+                "reference", "source", "date", "commit", "files"}}
 # What no figure depends on, wherever it stands.
 WITHOUT_EFFECT = ("*.md", "test_*", "*.png")
 
@@ -103,6 +103,9 @@ def read_data(path):
             if "key" in row:
                 row.setdefault("run", subject.get("run"))
             check_row(f"{where}: {row.get('what')!r}", row, data["run"])
+            if "key" not in row:
+                named = row.get("files", subject.get("files", ["play"]))
+                row["files"] = files_of(where, {"files": named}, data["files"])
     return data
 
 
@@ -234,6 +237,34 @@ class Tree:
         return {path: self.digest(path) for path in paths}
 
 
+class History:
+    """What has changed since figures were taken by hand, of which only the commit is known."""
+
+    def __init__(self, root, tree):
+        self.root, self.tree = root, tree
+        self.trees = {}
+
+    def at(self, commit):
+        if commit not in self.trees:
+            known = git(self.root, "cat-file", "-e", commit + "^{commit}") is not None
+            self.trees[commit] = Tree(self.root, commit) if known else None
+        return self.trees[commit]
+
+    def reason(self, row):
+        """Why a row by hand is stale; nothing where its files are those of the tree."""
+        then = self.at(row["commit"])
+        if then is None:
+            return f"commit {row['commit']} is not in the history"
+        return changes({path: then.digest(path) for path in row["files"]}, self.tree, row["files"])
+
+
+def changes(then, tree, paths):
+    """What of the paths has changed since it had these digests; nothing where nothing has."""
+    now = tree.of(paths)
+    changed = sorted(path for path in now if then.get(path) != now[path])
+    return f"changed: {' '.join(changed)}" if changed else ""
+
+
 # --- what is measured ----------------------------------------------------------------------------
 
 class Measured:
@@ -278,10 +309,11 @@ class Measured:
         if name not in self.runs:
             return "never measured"
         entry = self.runs[name]
-        now = tree.of(run["files"])
-        changed = sorted(path for path in now if entry["files"].get(path) != now[path])
+        if not entry["files"]:
+            return "to be measured again"
+        changed = changes(entry["files"], tree, run["files"])
         if changed:
-            return f"changed: {' '.join(changed)}"
+            return changed
         if entry["seeds"] != seeds or entry["command"] != command_of(run, seeds[0]):
             return f"measured by {entry['command']}, seeds {entry['seeds']}"
         lacking = [named for named in wanted if named not in entry["figures"]]

@@ -14,11 +14,11 @@ HEAD = """# Results
 recording.
 
 `tools/results` measures what is stale and writes this page. Rows are added and changed in
-tools/experiments/results.toml, figures are kept in tools/experiments/measured.json. A run is stale
-when its figures are of another commit and files that it depends on have changed since; what is
-stale here was so when the page was written, and `tools/results --list` says what is stale in a
-tree, why, and how long it takes to measure. What was tried and decided with such figures is in
-decisions.md.
+tools/experiments/results.toml, figures are kept in tools/experiments/measured.json. A figure says
+"code changed since" when files that it depends on are others than at its commit: it may be another
+one now. What is marked here was so when the page was written: `tools/results --page` marks it
+again, and `tools/results --list` says what is stale in a tree, why, and how long it takes to
+measure. What was tried and decided with such figures is in decisions.md.
 
 A figure is the mean over the seeds of its run; in brackets stand the smallest and the largest,
 where they differ in the digits shown. The seeds are {seeds} where nothing else is said.
@@ -32,9 +32,12 @@ experiment count up from it.
 | **missed** | the mean does not meet it |
 | not measured | the experiment was not run yet, failed, or does not have this figure |
 | - | nothing is required; in the column elsewhere: nothing to compare with |
-| stale | files that the run depends on have changed since; the last table names them |
+| code changed since | files that the figure depends on have changed since; the last table names \
+those of runs |
+| stale | measured with other seeds or options, or of a commit that is not in the history |
 | by hand | by that command on that day; the commit is the one that recorded it |
 """
+CHANGED = "code changed since"
 
 
 def in_digits(row, value):
@@ -66,6 +69,13 @@ def verdict_of(row, values, limits):
     return "met on average" if meets(mean(values), mean(limits)) else "**missed**"
 
 
+def mark_of(reason):
+    """How a cell ends whose figure is stale for that reason."""
+    if not reason:
+        return ""
+    return f" {CHANGED}" if reason.startswith("changed: ") else " stale"
+
+
 def requirement_of(row):
     if "required" not in row:
         return "-"
@@ -81,11 +91,12 @@ def table(head, rows):
 
 
 class Page:
-    def __init__(self, data, seeds, measured, reasons):
+    def __init__(self, data, seeds, measured, reasons, history):
         """reasons: {run: why it is stale}, empty where it is not."""
         self.data, self.seeds, self.measured, self.reasons = data, seeds, measured, reasons
+        self.history = history
         self.problems = []  # one line each
-        self.verdicts = []  # (subject, what, figure, required, verdict) of what is required
+        self.verdicts = []  # (subject, what, figure, required, verdict, mark) of what is required
 
     def kept(self, row, key):
         """A value for each seed, in the row's own unit."""
@@ -128,7 +139,7 @@ class Page:
         entry = self.measured.runs.get(name)
         if entry is None:
             return "-"
-        return f"{entry['commit']} {entry['date']}" + (" stale" if self.reasons[name] else "")
+        return f"{entry['commit']} {entry['date']}" + mark_of(self.reasons[name])
 
     @staticmethod
     def by_hand(row):
@@ -147,7 +158,7 @@ class Page:
         else:
             figure, verdict, reference = self.by_hand(row)
             command = row["command"] if row["command"] == "the same" else f"`{row['command']}`"
-            when = f"{row['commit']} {row['date']} by hand"
+            when = f"{row['commit']} {row['date']} by hand" + mark_of(self.history.reason(row))
         if reference and "source" in row:
             reference += f" ({row['source']})"
         return [row["what"], "the same" if command == last_command else command, figure,
@@ -159,22 +170,25 @@ class Page:
             cells, command = self.cells(row, command)
             rows.append(cells)
             if "required" in row:
-                self.verdicts.append((subject["title"], row["what"], *cells[2:5]))
+                self.verdicts.append((subject["title"], row["what"], *cells[2:5], cells[6]))
         head = ["what", "command", "figure", "required", "mark", "elsewhere", "measured"]
         text = [subject["text"].strip(), ""] if subject.get("text") else []
         return [f"## {subject['title']}", "", *text, *table(head, rows), ""]
 
     def summary(self):
-        marks = [mark for *_, mark in self.verdicts]
+        marks = [mark for *_, mark, _ in self.verdicts]
+        behind = sum(mark != "not measured" and when.endswith(CHANGED)
+                     for *_, mark, when in self.verdicts)
         stale = sum(map(bool, self.reasons.values()))
         lines = [f"{len(marks)} figures have a requirement: {marks.count('met')} met, "
                  f"{marks.count('met on average')} met on average, "
-                 f"{marks.count('**missed**')} missed, {marks.count('not measured')} not measured.",
+                 f"{marks.count('**missed**')} missed, {marks.count('not measured')} not measured. "
+                 f"Of those measured the code of {behind} has changed since.",
                  f"{stale} of {len(self.reasons)} runs are stale or were never measured.", ""]
-        others = [[mark, title, what, figure, required]
-                  for title, what, figure, required, mark in self.verdicts
+        others = [[mark, title, what, figure, required, when]
+                  for title, what, figure, required, mark, when in self.verdicts
                   if mark not in ("met", "not measured")]
-        head = ["mark", "table", "what", "figure", "required"]
+        head = ["mark", "table", "what", "figure", "required", "measured"]
         return lines + ([*table(head, others), ""] if others else [])
 
     def runs(self):

@@ -48,7 +48,8 @@ rows = [
   { what = "cycles", command = "toolchain/target-cost", value = 2.31, unit = "M", \
 required = "<= 4", date = "2026-11-22", commit = "abc1234" },
   { what = "lack", command = "the same", stated = "names Eigen", \
-required = "fails", verdict = "missed", date = "2026-11-22", commit = "abc1234" },
+required = "fails", verdict = "missed", files = ["robot"], date = "2026-11-22", \
+commit = "abc1234" },
 ]
 """
 FIGURES = {"views": 100, "ghosts": 0, "fused": 1.4, "own": 2.2, "recall": 0.95, "error_cm": 2.0,
@@ -87,6 +88,7 @@ class Place:
             shutil.copy(ROOT / "tools" / name, self.tree / "tools" / name)
         self.git("init", "-q")
         self.commit()
+        self.change("tools/experiments/results.toml", DATA.replace("abc1234", self.head()))
         for name in ("kelpie-experiments", "kelpie-agent", "kelpie-world", "kelpie-percepts",
                      "kelpie"):
             (self.bin / name).write_text(PROGRAM)
@@ -188,7 +190,7 @@ def test_a_key_reaches_into_lists_and_takes_several_values(place):
 
 def test_what_is_measured_by_hand_says_so(place):
     assert place.row("cycles") == ["`toolchain/target-cost`", "2.31 M", "<= 4 M", "met", "-",
-                                   "abc1234 2026-11-22 by hand"]
+                                   f"{place.head()} 2026-11-22 by hand"]
     assert place.row("lack")[:4] == ["the same", "names Eigen", "fails", "**missed**"]
 
 
@@ -239,10 +241,37 @@ def test_a_changed_file_makes_stale_what_depends_on_it(place):
     assert list(place.stale()) == ["objects"]
     assert place.stale()["objects"].startswith("changed: vision;"), "though it is not committed"
     place.results("--page")
-    assert place.row("recall")[5].endswith(" stale") and not place.row("fit")[5].endswith("stale")
+    assert place.row("recall")[5].endswith(" code changed since")
+    assert re.fullmatch(r"\w+ [\d-]+", place.row("fit")[5]), "it depends on other files"
     assert "1 of 2 runs are stale" in place.page.read_text()
     place.git("checkout", "-q", "vision")
     assert place.stale() == {}
+
+
+def test_the_summary_counts_what_was_measured_of_other_code(place):
+    assert "Of those measured the code of 0 has changed since." in place.page.read_text()
+    place.change("vision/Ball.cpp", "int ball, beacon;\n")
+    place.results("--page")
+    page = place.page.read_text()
+    assert "Of those measured the code of 5 has changed since." in page, "four rows, one by hand"
+    assert re.search(r"\| ghosts \| 0 \(0 to 1\) \| = 0 \| \w+ [\d-]+ code changed since \|", page)
+
+
+def test_git_tells_of_what_was_measured_by_hand_that_its_code_has_changed(place):
+    place.change("pycode/main.py", "x = 1\n")
+    place.commit()
+    place.results("--page")
+    assert place.row("cycles")[5].endswith(" by hand code changed since")
+    assert place.row("lack")[5].endswith(" by hand"), "it names other files"
+    place.git("checkout", "-q", "HEAD~1", "pycode")
+    place.results("--page")
+    assert place.row("cycles")[5].endswith(" by hand"), "not even committed"
+
+
+def test_a_commit_that_git_does_not_know_is_stale(place):
+    place.data.write_text(DATA)
+    assert place.results("--page").returncode == 0
+    assert place.row("cycles")[5] == "abc1234 2026-11-22 by hand stale"
 
 
 def test_a_new_file_makes_stale_though_it_is_not_known_to_git(place):
@@ -358,7 +387,7 @@ def test_an_experiment_that_fails_is_said_and_what_was_before_stays(place):
     result = place.results()
     assert result.returncode == 1
     assert "tools/results: distances: no data" in result.stderr.splitlines()
-    assert place.row("fit")[1] == "4.1 cm" and place.row("fit")[5].endswith(" stale")
+    assert place.row("fit")[1] == "4.1 cm" and place.row("fit")[5].endswith(" code changed since")
 
 
 def test_the_page_is_the_same_each_time_it_is_written(place):
@@ -406,7 +435,8 @@ def test_the_page_of_the_tree_is_what_is_kept(tmp_path):
     assert written.returncode in (0, 1), written.stderr
 
     def timeless(text):
-        text = re.sub(r"\d+ of \d+ runs are stale", "", text).replace(" stale |", " |")
-        return re.sub(r"\| (changed|measured|new rows)[^|]* \|$", "| - |", text, flags=re.M)
+        text = re.sub(r"\d+ of \d+ runs are stale|the code of \d+ has changed", "", text)
+        text = re.sub(r" (stale|code changed since) \|", " |", text)
+        return re.sub(r"\| (changed|measured|new rows|to be)[^|]* \|$", "| - |", text, flags=re.M)
     page = (ROOT / "docs/results.md").read_text()
     assert timeless((tmp_path / "page.md").read_text()) == timeless(page)
