@@ -110,8 +110,8 @@ def read_data(path):
 
 
 def words_of(run, seed):
-    """The words of `kelpie` that measure a run with a seed of the page."""
-    words = ["evaluate", run["experiment"]]
+    """The command that measures a run with a seed of the page."""
+    words = shlex.split(run.get("command", f"kelpie evaluate {run['experiment']}"))
     if "trials" in run:
         words += ["--trials", str(run["trials"])]
     words += run.get("options", [])
@@ -119,7 +119,7 @@ def words_of(run, seed):
 
 
 def command_of(run, seed):
-    return shlex.join(["kelpie", *words_of(run, seed)])
+    return shlex.join(words_of(run, seed))
 
 
 def seeds_of(run, seeds):

@@ -18,7 +18,8 @@ tools/experiments/results.toml, figures are kept in tools/experiments/measured.j
 "code changed since" when files that it depends on are others than at its commit: it may be another
 one now. What is marked here was so when the page was written: `tools/results --page` marks it
 again, and `tools/results --list` says what is stale in a tree, why, and how long it takes to
-measure. What was tried and decided with such figures is in decisions.md.
+measure. What was tried and decided with such figures is in decisions.md. `tools/figures` holds a
+few figures against bounds at each change.
 
 A figure is the mean over the seeds of its run; in brackets stand the smallest and the largest,
 where they differ in the digits shown. The seeds are {seeds} where nothing else is said.

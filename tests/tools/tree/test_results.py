@@ -84,7 +84,7 @@ class Place:
         self.bin.mkdir()
         for path, text in {**FILES, "tools/experiments/results.toml": DATA}.items():
             self.change(path, text)
-        for name in ("results", "results_data.py", "results_page.py"):
+        for name in ("results", "results_data.py", "results_page.py", "results_run.py"):
             shutil.copy(ROOT / "tools" / name, self.tree / "tools" / name)
         self.git("init", "-q")
         self.commit()
