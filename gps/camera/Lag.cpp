@@ -26,6 +26,24 @@ void correct(const LagSighting& z, const LagParams& params, ImageLag& lag) {
   lag.variance = std::fmax(lag.variance * (1.0 - gain * z.slope), maths::square(kMinSd));
 }
 
+// A sighting beside those before.
+struct LagSample {
+  double rate = 0.0;
+  double turned = 0.0;
+  double beside = 0.0;  // rad, of the mean's bearing
+  double variance = 0.0;
+};
+
+void add(const LagSample& sample, const Measurement& seen, LagReference& mean) {
+  const double share = 1.0 / ++mean.sightings;
+  const Angle where =
+      mean.sightings == 1 ? seen.heading : bearing(mean.place) + Angle::rad(share * sample.beside);
+  mean.place = robotPolar(seen.distance, where);
+  mean.variance += share * (share * sample.variance - (2.0 - share) * mean.variance);
+  mean.rate += share * (sample.rate - mean.rate);
+  mean.turned += share * (sample.turned - mean.turned);
+}
+
 }  // namespace
 
 ImageLag startingLag(const LagParams& params) {
@@ -44,30 +62,30 @@ double lateVariance(const FrameInput& input) {
 
 void moveLagReferences(const Odometry& step, double elapsed, LagReferences& references) {
   for (LagReference& reference : references) {
-    if (!reference.present) continue;
+    if (reference.sightings == 0) continue;
     reference.age += elapsed;
     reference.place = robotFromField(moved({}, step), fieldFromRobot({}, reference.place));
   }
 }
 
+// A sighting is compared with the mean of those before (Helmert's contrasts): such differences do
+// not share their noise, and use all that the sightings tell of the lag.
 void updateLag(const LagView& view, const Measurement& seen, const LagParams& params,
                LagReferences& references, ImageLag& lag) {
   if (!params.use || !seen.useHeading) return;
   LagReference& before = references[static_cast<std::size_t>(seen.kind)];
+  if (before.age > params.maxPairSeconds) before = {};
   const double rate = panRate(view.input);
+  const double turned = rate * view.input.imageLag.seconds;
   const double variance = seen.headingVariance - view.late;
-  const bool young = before.present && before.age <= params.maxPairSeconds;
-  if (young && std::fabs(rate - before.rate) < params.minRateChange) return;
-  if (young) {
-    const double slope = rate - before.rate;
-    const double known = rate * (lag.seconds - view.input.imageLag.seconds) -
-                         before.rate * (lag.seconds - before.usedLag);
-    const double turned = view.turnVariance * maths::square(before.age);
-    const double beside = (seen.heading - bearing(before.place)).rad();
-    correct({beside - known, slope, variance + before.variance + turned}, params, lag);
+  const double beside = before.sightings > 0 ? (seen.heading - bearing(before.place)).rad() : 0.0;
+  const double slope = rate - before.rate;
+  if (before.sightings > 0 && std::fabs(slope) >= params.minRateChange) {
+    const double known = lag.seconds * slope - (turned - before.turned);
+    const double drift = view.turnVariance * maths::square(before.age);
+    correct({beside - known, slope, variance + before.variance + drift}, params, lag);
   }
-  before = {true,     0.0,  robotPolar(seen.distance, seen.heading),
-            variance, rate, view.input.imageLag.seconds};
+  add({rate, turned, beside, variance}, seen, before);
 }
 
 }  // namespace kelpie::gps

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much older the images are than their stamps; less than nothing where the joints are older
 // than theirs. While the head pans, a landmark is then seen beside where it stands by the pan rate
-// times the error of the lag: 5 deg at 3 rad/s and one frame. Two sightings of one landmark at
+// times the error of the lag: 5 deg at 3 rad/s and one frame. Sightings of one landmark at
 // different rates tell it, wherever the robot believes to be: a pose that such sightings have made
 // is as wrong as the lag and would hide it. A scalar Kalman filter beside the pose; the agent takes
 // the head's joints that much earlier in the next frame. Says nothing while the head is still;
@@ -26,7 +26,7 @@ double panRate(const FrameInput& input);
 // heading that may be half a turn off says nothing, whatever rate the head claims to have.
 double lateVariance(const FrameInput& input);
 
-// The earlier sightings, after a step.
+// The earlier sightings, after a step. They are of maxPairSeconds at most.
 void moveLagReferences(const Odometry& step, double elapsed, LagReferences& references);
 
 // What a sighting of a landmark is compared in.

@@ -49,14 +49,14 @@ struct SightingRecord {
 };
 using SightingRecords = std::array<SightingRecord, kLandmarkKindCount>;
 
-// An earlier sighting of a landmark, where it would be seen now.
+// A landmark's sightings of the last moment, where it would be seen now.
 struct LagReference {
-  bool present = false;
-  double age = 0.0;  // s
-  Point2<Robot> place;
-  double variance = 0.0;  // rad2, of its heading
-  double rate = 0.0;      // rad/s, of the head
-  double usedLag = 0.0;   // s, that its joints were taken with
+  int sightings = 0;
+  double age = 0.0;       // s, since the first
+  Point2<Robot> place;    // their mean, now
+  double variance = 0.0;  // rad2, of its bearing
+  double rate = 0.0;      // rad/s, mean of their pan rates
+  double turned = 0.0;    // rad, mean of these times the lags that they were read with
 };
 using LagReferences = std::array<LagReference, kLandmarkKindCount>;
 
