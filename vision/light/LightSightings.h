@@ -11,6 +11,6 @@
 
 namespace kelpie::vision {
 
-SeenLight seenLight(const Scene& scene, const Percepts& percepts, const LightParams& params);
+LightSightings seenLight(const Scene& scene, const Percepts& percepts, const LightParams& params);
 
 }  // namespace kelpie::vision
