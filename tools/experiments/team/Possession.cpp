@@ -14,8 +14,9 @@ namespace {
 
 constexpr double kHas = 40.0;     // cm from the neck base to a ball that a robot has,
 constexpr double kHasFor = 0.3;   // s, until it is a possession
-constexpr double kRolls = 0.4;    // s after a kick's end, when the ball's way is taken
-constexpr double kRolled = 15.0;  // cm that it has gone by then; less was no kick
+constexpr double kRolls = 0.4;    // s after a kick's end, until when the ball's way is taken:
+constexpr double kRolled = 40.0;  // cm from where it lay. Farther on it may hit somebody, and one
+                                  // that comes less far has, so that its way tells of no aim
 constexpr double kPut = 20.0;     // cm in one image: faster than any ball, by hand
 
 struct Found {
@@ -62,7 +63,10 @@ std::size_t later(const Played& played, std::size_t from, double seconds) {
 void judgeHeading(const Played& played, std::size_t kick, std::size_t end, Angle wanted,
                   Found& found) {
   const Point2<Field> from = played.moments[kick].truth.ball;
-  const Point2<Field> to = played.moments[later(played, end, kRolls)].truth.ball;
+  const std::size_t last = later(played, end, kRolls);
+  std::size_t at = kick;
+  while (at < last && distance(from, played.moments[at].truth.ball) < kRolled) ++at;
+  const Point2<Field> to = played.moments[at].truth.ball;
   if (distance(from, to) < kRolled) return;
   const Angle went = Angle::rad(std::atan2(to.y - from.y, to.x - from.x));
   found.headingErrors.push_back((went - wanted).abs().deg());
