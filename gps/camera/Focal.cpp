@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gps/Gaussian.h"
+#include "gps/camera/ScalarFilter.h"
 #include "gps/pose/PoseUpdate.h"
 
 namespace kelpie::gps {
@@ -11,20 +12,9 @@ namespace {
 
 constexpr double kKnownSd = 1e-4;  // where it is not estimated
 
-// An innovation, how much of it one unit of the scale explains, and its variance without the
-// scale's.
-struct Sighting {
-  double innovation = 0.0;
-  double slope = 0.0;
-  double variance = 0.0;
-};
-
-void update(const Sighting& z, const FocalParams& params, FocalScale& focal) {
-  const double variance = z.slope * z.slope * focal.variance + z.variance;
-  if (!(z.innovation * z.innovation <= maths::square(params.gate) * variance)) return;
-  const double gain = z.slope * focal.variance / variance;
-  focal.ratio = maths::clamp(focal.ratio + gain * z.innovation, 1.0 - params.max, 1.0 + params.max);
-  focal.variance = std::fmax(focal.variance * (1.0 - gain * z.slope), maths::square(params.minSd));
+void update(const ScalarSighting& z, const FocalParams& params, FocalScale& focal) {
+  correct(z, {1.0 - params.max, 1.0 + params.max, params.minSd, params.gate}, focal.ratio,
+          focal.variance);
 }
 
 // Beside the camera's axis, positive to the left.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "gps/camera/ScalarFilter.h"
 #include "gps/pose/Predict.h"
 
 namespace kelpie::gps {
@@ -10,21 +11,6 @@ namespace {
 
 constexpr double kKnownSd = 1e-4;  // s, where it is not estimated
 constexpr double kMinSd = 1e-3;    // s: joints and images are ticks apart
-
-// An innovation, how much of it a second of lag explains, and its variance without the lag's.
-struct LagSighting {
-  double innovation = 0.0;
-  double slope = 0.0;
-  double variance = 0.0;
-};
-
-void correct(const LagSighting& z, const LagParams& params, ImageLag& lag) {
-  const double variance = z.slope * z.slope * lag.variance + z.variance;
-  if (!(z.innovation * z.innovation <= maths::square(params.gate) * variance)) return;
-  const double gain = z.slope * lag.variance / variance;
-  lag.seconds = maths::clamp(lag.seconds + gain * z.innovation, params.min, params.max);
-  lag.variance = std::fmax(lag.variance * (1.0 - gain * z.slope), maths::square(kMinSd));
-}
 
 // A sighting beside those before.
 struct LagSample {
@@ -83,7 +69,8 @@ void updateLag(const LagView& view, const Measurement& seen, const LagParams& pa
   if (before.sightings > 0 && std::fabs(slope) >= params.minRateChange) {
     const double known = lag.seconds * slope - (turned - before.turned);
     const double drift = view.turnVariance * maths::square(before.age);
-    correct({beside - known, slope, variance + before.variance + drift}, params, lag);
+    correct({beside - known, slope, variance + before.variance + drift},
+            {params.min, params.max, kMinSd, params.gate}, lag.seconds, lag.variance);
   }
   add({rate, turned, beside, variance}, seen, before);
 }

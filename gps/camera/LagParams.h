@@ -12,8 +12,8 @@ struct LagParams {
   double initialSd = 0.04;      // s, somewhat more than a frame
   double min = -0.08;           // s; joints are older than images by two frames and a half
   double max = 0.13;            // s, images by nearly four
-  double minRateChange = 1.0;   // rad/s, between two sightings of one landmark, and
-  double maxPairSeconds = 1.0;  // what is between them at most
+  double minRateChange = 1.0;   // rad/s, of a sighting from the mean of the landmark's before
+  double maxPairSeconds = 1.0;  // over which that mean goes
   double gate = 4.0;            // standard deviations
 
   template <int = 0>

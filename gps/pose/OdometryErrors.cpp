@@ -19,14 +19,17 @@ void set(std::array<double, 9>& rows, const Matrix3& matrix) {
   Eigen::Map<RowMajor3>(rows.data()) = matrix;
 }
 
+bool walks(const Odometry& told) {
+  return told.forward != 0.0 || told.left != 0.0 || told.turn.rad() != 0.0;
+}
+
 // How the pose moves with scale ahead, scale aside and turn.
 Matrix3 slopeOf(const Pose2& pose, const Odometry& told, double elapsed) {
   const double c = pose.heading.cos();
   const double s = pose.heading.sin();
-  const bool walks = told.forward != 0.0 || told.left != 0.0 || told.turn.rad() != 0.0;
   Matrix3 slope;
   slope << c * told.forward, -s * told.left, 0, s * told.forward, c * told.left, 0, 0, 0,
-      walks ? elapsed : 0.0;
+      walks(told) ? elapsed : 0.0;
   return slope;
 }
 
@@ -55,8 +58,7 @@ OdometryErrors startingErrors(const OdometryErrorsParams& params) {
 }
 
 Odometry corrected(const Odometry& told, double elapsed, const OdometryErrors& errors) {
-  const bool walks = told.forward != 0.0 || told.left != 0.0 || told.turn.rad() != 0.0;
-  if (!walks) return told;
+  if (!walks(told)) return told;
   return {(1.0 + errors.mean[0]) * told.forward, (1.0 + errors.mean[1]) * told.left,
           told.turn + Angle::rad(errors.mean[2] * elapsed), told.variance};
 }
