@@ -124,7 +124,7 @@ TEST(Stranger, OneThatSaysNoHelloCountsAsNotThere) {
     auto connection = host::Connection::connect(socket, {});
     sleep(0.5);
   };
-  expectOneLine(playWith(waits, 0.1), "has not come within 0.1 s");
+  expectOneLine(playWith(waits, 0.1), "has come, but not said hello within 0.1 s");
 }
 
 TEST(Stranger, OneThatComesAsAnotherRobotIsTurnedAway) {

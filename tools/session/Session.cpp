@@ -234,7 +234,7 @@ Ends waitForAll(const SessionTalk& talk, Processes& processes) {
   while (!last.ended() || reviveAgent(talk, processes)) {
     hearAll(50, talk, processes);
     watchOthers(talk, processes, ends);
-    processes.strangers.revive([&](const std::string& said) { tell(said, talk); });
+    processes.strangers.watch([&](const std::string& said) { tell(said, talk); });
     if (!asked && (interrupted() || (talk.over && talk.over()))) {
       asked = true;
       processes.world.terminate();  // it ends the match, and with it the agents

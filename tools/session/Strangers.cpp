@@ -41,16 +41,20 @@ Strangers Strangers::start(const SessionOptions& options, const RunDirectory& ru
   return strangers;
 }
 
-void Strangers::revive(const std::function<void(const std::string&)>& tell) {
-  if (!respawn_) return;
+void Strangers::watch(const std::function<void(const std::string&)>& tell) {
   for (One& one : all_) {
-    if (!one.process || !one.process->ended() || one.process->wait() == 0 || --one.lives <= 0)
-      continue;
-    tell(fmt::format("agent {}: its program ended with code {}; it is started again", one.name,
-                     one.process->wait()));
-    auto again = started(one.command);
+    if (!one.process || !one.process->ended()) continue;
+    const int code = one.process->wait();
     one.process.reset();
-    if (again) one.process.emplace(std::move(*again));
+    if (code == 0) continue;
+    const bool again = respawn_ && --one.lives > 0;
+    tell(fmt::format("agent {}: its program ended with code {}{}", one.name, code,
+                     again ? "; it is started again"
+                     : respawn_
+                         ? fmt::format(", for the {}th time, and is not started again", kMaxLives)
+                         : ""));
+    auto next = again ? started(one.command) : std::nullopt;
+    if (next) one.process.emplace(std::move(*next));
   }
 }
 

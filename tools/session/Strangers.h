@@ -21,8 +21,8 @@ class Strangers {
   static Strangers start(const SessionOptions& options, const RunDirectory& runDirectory,
                          Process& world);
 
-  // With SessionOptions::respawn starts those again that have ended in trouble.
-  void revive(const std::function<void(const std::string&)>& tell);
+  // Tells which have ended in trouble, and with SessionOptions::respawn starts those again.
+  void watch(const std::function<void(const std::string&)>& tell);
   // The match is over: two seconds to go by themselves.
   void end();
 

@@ -26,7 +26,7 @@ def test_each_kind_is_played_in_both_colours_and_against_statues_a_team_scores(t
 
 @pytest.mark.parametrize("words, said", [
     (["--a", "nowhere"], "--a: Directory does not exist: nowhere"),
-    (["--b", ROOT / "teams/thesis"], "--b requires --a")])
+    (["--b", "nowhere"], "--b: Directory does not exist: nowhere")])
 def test_a_team_that_is_not_there_is_refused_in_a_line(words, said):
     refused = kelpie("evaluate", "scenes", *words)
     assert refused.returncode == 2

@@ -99,7 +99,6 @@ def test_a_match_of_strangers_alone_leaves_the_worlds_log(tmp_path):
     (CONNECTS + "time.sleep(1000)\n", "has not answered within 0.2 s at"),
     (GARBAGE, "bad magic"),
     ("import time\ntime.sleep(1000)\n", "has not come within 1 s; its robot stands"),
-    ("raise SystemExit(3)\n", "has not come within 1 s; its robot stands"),
 ])
 def test_a_program_that_does_not_play_is_told_in_one_line_and_the_match_goes_on(
         tmp_path, program, text, told):
@@ -132,6 +131,28 @@ def test_an_agent_that_dies_is_started_again_when_asked_for(tmp_path, program):
     result = play(tmp_path / "out", "--red-agent", program(text), "--respawn", "--real-time")
     assert result.returncode == 0, result.stderr
     assert "agent red 1: its program ended with code 7; it is started again" in result.stderr
+
+
+def test_a_program_that_cannot_run_is_told_with_its_code(tmp_path):
+    result = play(tmp_path / "out", "--red-agent", "no-such-program", wait=1)
+    assert result.returncode == 0, result.stderr
+    lines = [line for line in result.stderr.splitlines() if line.startswith("agent red 1: ")]
+    assert lines == ["agent red 1: its program ended with code 127",
+                     "agent red 1: has not come within 1 s; its robot stands"]
+
+
+def test_an_agent_that_dies_again_and_again_is_left_at_last_and_told(tmp_path, program):
+    result = play(tmp_path / "out", "--red-agent", program("raise SystemExit(3)\n"), "--respawn",
+                  wait=10)
+    assert result.returncode == 0, result.stderr
+    assert result.stderr.count("it is started again") == 19
+    assert "with code 3, for the 20th time, and is not started again" in result.stderr
+
+
+@pytest.mark.parametrize("option", ["--agent-limit", "--agent-wait"])
+def test_an_option_of_agents_without_any_is_refused(tmp_path, option):
+    said = complaint(kelpie("play", option, "1", "--out", tmp_path / "out"))
+    assert said.endswith(f"{option} is for the agents of --red-agent and --blue-agent")
 
 
 @pytest.mark.parametrize("words, told", [

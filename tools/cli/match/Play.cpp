@@ -543,7 +543,8 @@ void addPlay(CommandLine& app, int& code) {
   addSceneOption(command, *options);
   command.callback([=, &code] {
     settle(command, *options);
-    code = play(*options);
+    const Status sound = checkStrangerOptions(command, options->session);
+    code = sound ? play(*options) : fail(sound.error(), kExitBadInput);
   });
 }
 

@@ -33,6 +33,14 @@ void addStrangerOptions(CommandLine& command, SessionOptions& session) {
       .showDefault();
 }
 
+Status checkStrangerOptions(const CommandLine& command, const SessionOptions& session) {
+  if (!session.redAgent.empty() || !session.blueAgent.empty()) return Done{};
+  for (const char* option : {"--agent-limit", "--agent-wait"})
+    if (command.count(option) > 0)
+      return Error{std::string(option) + " is for the agents of --red-agent and --blue-agent"};
+  return Done{};
+}
+
 Status checkStrangers(const SessionOptions& session) {
   for (const char* team : {"red", "blue"}) {
     const TeamColour colour = std::string(team) == "red" ? TeamColour::red : TeamColour::blue;

@@ -8,9 +8,9 @@
 namespace kelpie::experiments {
 namespace {
 
-constexpr std::array<const char*, 10> kOptionNames = {
-    "--trials", "--seed",     "--randomise", "--params",  "--field",
-    "--traces", "--pictures", "--fast",      "--minutes", "--a"};
+constexpr std::array<const char*, kAllOptions.size()> kOptionNames = {
+    "--trials",   "--seed", "--randomise", "--params", "--field", "--traces",
+    "--pictures", "--fast", "--minutes",   "--a",      "--b"};
 
 std::string_view name(const Experiment& experiment) { return experiment.name; }
 

@@ -33,11 +33,13 @@ enum class Option : std::uint8_t {
   pictures,
   fast,
   minutes,
-  sides
+  side,
+  opponents
 };
 constexpr std::initializer_list<Option> kAllOptions = {
-    Option::trials, Option::seed,     Option::randomised, Option::params,  Option::field,
-    Option::traces, Option::pictures, Option::fast,       Option::minutes, Option::sides};
+    Option::trials,  Option::seed,   Option::randomised, Option::params,
+    Option::field,   Option::traces, Option::pictures,   Option::fast,
+    Option::minutes, Option::side,   Option::opponents};
 const char* nameOf(Option option);  // "--trials"
 
 class Options {
@@ -64,9 +66,9 @@ struct Request {
   std::string field;                // its name; empty: 2006
   std::string traces;               // folder for tables (Trace.h); empty: none
   std::string pictures;             // folder for pictures of what went wrong; empty: none
-  bool fast = false;                // kinematic bodies in place of those with masses
+  bool fast = false;                // kinematic bodies, and in a few experiments percepts
   double minutes = 0.0;             // of play in each match; 0: the experiment's own
-  std::string sideA, sideB;         // folders of two teams; empty: those of the source tree
+  std::string sideA, sideB;         // folders of two teams; empty: the experiment's own
   std::function<void(int done, int all)> progress;
 
   // Where the table of that name goes; empty without --traces.

@@ -63,16 +63,16 @@ void addOptions(cli::CommandLine& app, EvaluateOptions& options) {
   app.option(nameOf(Option::pictures), request.pictures, "Folder for pictures of what went wrong")
       .check(cli::existingFolder());
   app.flag(nameOf(Option::fast), request.fast,
-           "Kinematic bodies in place of those with masses and servos");
+           "Kinematic bodies in place of those with masses and servos; staged scenes and "
+           "time-to-score also take percepts in place of images");
   app.option(nameOf(Option::minutes), request.minutes,
              "Minutes of play in each match (default: the experiment's own)")
       .check(cli::inRange(0.1, 60.0));
-  auto side =
-      app.option(nameOf(Option::sides), request.sideA, "Folder of a team (default: teams/kelpie)")
-          .check(cli::existingFolder());
-  app.option("--b", request.sideB, "Folder of the team that it is compared with (teams/thesis)")
-      .check(cli::existingFolder())
-      .needs(side);
+  app.option(nameOf(Option::side), request.sideA, "Folder of a team (default: teams/kelpie)")
+      .check(cli::existingFolder());
+  app.option(nameOf(Option::opponents), request.sideB,
+             "Folder of the team that plays against it (default: the experiment's own)")
+      .check(cli::existingFolder());
   app.option("--json", options.json, "File for the figures, - for standard output");
   app.flag("--list", options.list, "Each experiment with the options that it uses");
 }

@@ -136,7 +136,8 @@ Expected<Json> sceneSides(const Request& request) {
 
 const Registration kSceneSides("scenes",
                                "two teams (--a, --b) in the same drawn situations, kind by kind",
-                               {Option::trials, Option::seed, Option::sides}, 20, sceneSides);
+                               {Option::trials, Option::seed, Option::side, Option::opponents}, 20,
+                               sceneSides);
 
 }  // namespace
 }  // namespace kelpie::experiments

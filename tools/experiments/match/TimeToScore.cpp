@@ -48,7 +48,7 @@ Expected<Json> timeToScore(const Request& request) {
 
 const Registration kTimeToScore("time-to-score",
                                 "a robot alone (--a), it and the ball anywhere: s to the goal",
-                                {Option::trials, Option::seed, Option::fast, Option::sides}, 100,
+                                {Option::trials, Option::seed, Option::fast, Option::side}, 100,
                                 timeToScore);
 
 }  // namespace

@@ -36,10 +36,9 @@ Expected<Json> finish(const Request& request) {
               {"open_line_after_median_s", percentile(found[1].after, 0.5)}};
 }
 
-const Registration kFinish("finish",
-                           "a ball close to a goal, kept (--b) and open: how often --a scores",
-                           {Option::trials, Option::seed, Option::fast, Option::sides}, 100,
-                           finish);
+const Registration kFinish(
+    "finish", "a ball close to a goal, kept (--b) and open: how often --a scores",
+    {Option::trials, Option::seed, Option::fast, Option::side, Option::opponents}, 100, finish);
 
 }  // namespace
 }  // namespace kelpie::experiments

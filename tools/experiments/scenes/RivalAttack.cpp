@@ -59,7 +59,7 @@ Expected<Json> rivalAttack(const Request& request) {
 
 const Registration kRivalAttack(
     "rival-attack", "attacks staged as those of 2005 (--b): goals, how soon --a wins the ball",
-    {Option::trials, Option::seed, Option::fast, Option::sides}, 24, rivalAttack);
+    {Option::trials, Option::seed, Option::fast, Option::side, Option::opponents}, 24, rivalAttack);
 
 }  // namespace
 }  // namespace kelpie::experiments

@@ -56,10 +56,9 @@ Expected<Json> runPast(const Request& request) {
               {"speed_p10_cm_s", percentile(speeds, 0.1)}};
 }
 
-const Registration kRunPast("run",
-                            "a ball pushed 250 cm ahead past one who stands in the way: kept, cm/s",
-                            {Option::trials, Option::seed, Option::fast, Option::sides}, 60,
-                            runPast);
+const Registration kRunPast(
+    "run", "a ball pushed 250 cm ahead past one who stands in the way: kept, cm/s",
+    {Option::trials, Option::seed, Option::fast, Option::side, Option::opponents}, 60, runPast);
 
 }  // namespace
 }  // namespace kelpie::experiments

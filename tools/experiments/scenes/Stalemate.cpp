@@ -51,7 +51,7 @@ Expected<Json> stalemate(const Request& request) {
 
 const Registration kStalemate(
     "stalemate", "a ball at which two push, at a post and in a corner: how soon it is free",
-    {Option::trials, Option::seed, Option::fast, Option::sides}, 50, stalemate);
+    {Option::trials, Option::seed, Option::fast, Option::side, Option::opponents}, 50, stalemate);
 
 }  // namespace
 }  // namespace kelpie::experiments

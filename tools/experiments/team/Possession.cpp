@@ -157,7 +157,8 @@ Expected<Json> possessions(const Request& request) {
 
 const Registration kPossessions(
     "possession", "how the grabs of --a end, where its kicks go, what its possessions gain",
-    {Option::trials, Option::seed, Option::fast, Option::minutes, Option::sides}, 2, possessions);
+    {Option::trials, Option::seed, Option::fast, Option::minutes, Option::side, Option::opponents},
+    2, possessions);
 
 }  // namespace
 }  // namespace kelpie::experiments

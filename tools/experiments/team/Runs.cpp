@@ -140,7 +140,7 @@ Expected<Json> runs(const Request& request) {
 const Registration kRuns("runs",
                          "how two teams run with the ball (--b: teams/runner), and who stands",
                          {Option::trials, Option::seed, Option::field, Option::fast,
-                          Option::minutes, Option::sides},
+                          Option::minutes, Option::side, Option::opponents},
                          2, runs);
 
 }  // namespace

@@ -64,8 +64,9 @@ void Stranger::greet() {
 }
 
 void Stranger::absent(double waited) {
-  if (!present() && told_ == 0)
-    tell(fmt::format("has not come within {:g} s; its robot stands", waited));
+  if (present() || told_ > 0) return;
+  tell(fmt::format("has {} within {:g} s; its robot stands",
+                   caller_ ? "come, but not said hello" : "not come", waited));
 }
 
 void Stranger::send(host::MessageType type, const std::vector<std::uint8_t>& body) {
@@ -118,18 +119,21 @@ void Stranger::lose(const std::string& why) {
   lost_ = true;
   line_->hangUp();
   tell(why + "; its robot stands");
+  if (lives_ >= kMaxLives)
+    news_.push_back(title() + fmt::format("has come {} times, and is let in no more", lives_));
 }
 
 void Stranger::tell(const std::string& line) {
-  if (++told_ > kMaxLines) return;
-  news_.push_back("agent " + nameOf(robot_) + ": " + line);
+  if (++told_ <= kMaxLines) news_.push_back(title() + line);
 }
+
+std::string Stranger::title() const { return "agent " + nameOf(robot_) + ": "; }
 
 std::vector<std::string> Stranger::takeNews() { return std::exchange(news_, {}); }
 
 std::optional<std::string> Stranger::lateness() const {
   if (timesLate_ < 2) return std::nullopt;
-  return fmt::format("agent {}: was late {} times", nameOf(robot_), timesLate_);
+  return title() + fmt::format("was late {} times", timesLate_);
 }
 
 }  // namespace kelpie::sim

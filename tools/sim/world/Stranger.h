@@ -54,6 +54,7 @@ class Stranger {
   void turnAway(const std::string& why);
   void lose(const std::string& why);
   void tell(const std::string& line);
+  std::string title() const;
 
   host::Listener listener_;
   host::AgentHello robot_;
