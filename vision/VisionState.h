@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vision's memory: the calibration as tables, made for a light, and work buffers that
-// each step overwrites. Nothing else of an earlier image is seen again. 430 KB: keep it off the
+// each step overwrites. Nothing else of an earlier image is seen again. 500 KB: keep it off the
 // stack.
 #pragma once
 

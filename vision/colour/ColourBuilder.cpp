@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "robot/core/Maths.h"
 
@@ -30,6 +31,13 @@ constexpr std::array<Prototype, kColourClassCount - 1> kNominalPrototypes = {
      {ColourClass::white, 189, 124, 129, 0.7, 1.4, 20},
      {ColourClass::black, 20, 126, 128, 0.0, 1.6, 12}}};
 
+// Landmarks that a light shines on: twice as bright, half as colourful. Narrower than the even
+// ones, since the white of walls and lines is near.
+constexpr std::array<Prototype, 3> kGlarePrototypes = {
+    {{ColourClass::blue, 164, 124.5, 147.5, 0.75, 1.5, 14},
+     {ColourClass::yellow, 235, 144, 94.5, 0.75, 1.1, 18},
+     {ColourClass::pink, 226, 160.5, 126, 0.75, 1.15, 18}}};
+
 // Squared distance in units of the prototype's radius: 1 is the rim.
 double squaredDistance(const Prototype& p, Yuv c) {
   const double shade = maths::clamp(c.y / p.y, p.darkest, p.brightest);
@@ -41,6 +49,17 @@ double squaredDistance(const Prototype& p, Yuv c) {
   return (dCr * dCr + dCb * dCb) / maths::square(p.radius) + maths::square(dY / kBrightnessRadius);
 }
 
+// Of the nearest of these prototypes, with its class: none beyond 1.
+template <class Prototypes>
+std::pair<double, ColourClass> nearestOf(const Prototypes& prototypes, Yuv c) {
+  std::pair<double, ColourClass> best{1.0, ColourClass::none};
+  for (const Prototype& p : prototypes) {
+    const double d = squaredDistance(p, c);
+    if (d < best.first) best = {d, p.colour};
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<Prototype> nominalPrototypes() {
@@ -49,18 +68,19 @@ std::vector<Prototype> nominalPrototypes() {
 
 ColourTable buildColourTable(const std::vector<Prototype>& prototypes) {
   ColourTable table;
+  for (std::size_t cell = 0; cell < ColourTable::kCells; ++cell)
+    table.set(cell, nearestOf(prototypes, ColourTable::centreOf(cell)).second);
+  return table;
+}
+
+ColourTable withGlare(const ColourTable& even) {
+  ColourTable table = even;
   for (std::size_t cell = 0; cell < ColourTable::kCells; ++cell) {
+    const ColourClass colour = even.at(cell);
+    if (colour != ColourClass::none && colour != ColourClass::white) continue;
     const Yuv centre = ColourTable::centreOf(cell);
-    double best = 1.0;
-    ColourClass nearest = ColourClass::none;
-    for (const Prototype& p : prototypes) {
-      const double d = squaredDistance(p, centre);
-      if (d < best) {
-        best = d;
-        nearest = p.colour;
-      }
-    }
-    table.set(cell, nearest);
+    const auto glare = nearestOf(kGlarePrototypes, centre);
+    if (glare.first < nearestOf(kNominalPrototypes, centre).first) table.set(cell, glare.second);
   }
   return table;
 }

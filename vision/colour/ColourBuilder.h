@@ -27,4 +27,9 @@ std::vector<Prototype> nominalPrototypes();
 // Every cell gets the nearest prototype's class, `none` where none is near.
 ColourTable buildColourTable(const std::vector<Prototype>& prototypes);
 
+// The same table for a field whose landmarks are overexposed: of what it calls white or nothing,
+// that which is nearer to a landmark's colour in glare. Noisier: pixels of white are 10 grey levels
+// of Cb from it.
+ColourTable withGlare(const ColourTable& even);
+
 }  // namespace kelpie::vision

@@ -25,6 +25,14 @@ struct LightSighting {
 };
 using LightSightings = std::array<LightSighting, kLightSources>;
 
+// What an image says of the landmarks' own light.
+enum class LandmarkLook : std::uint8_t { unknown, missing, even, glare };
+
+struct SeenLight {
+  LightSightings surfaces;
+  LandmarkLook landmarks = LandmarkLook::unknown;  // unknown where none need show
+};
+
 // Sightings are of pixels that were divided by `light.applied` before.
 void remember(const LightSightings& seen, const LightParams& params, CameraLight& light);
 LightGains estimatedLight(const CameraLight& light, const LightParams& params);

@@ -21,8 +21,19 @@ bool isWorthAStep(const LightGains& from, const LightGains& to, const LightParam
 
 }  // namespace
 
-void learnLight(const LightSightings& seen, const LightParams& params, CameraLight& light) {
-  remember(seen, params, light);
+void learnGlare(LandmarkLook seen, const LightParams& params, CameraLight& light) {
+  if (seen == LandmarkLook::unknown) return;
+  const bool asLookedFor =
+      light.glare ? seen == LandmarkLook::glare : seen != LandmarkLook::missing;
+  light.missing = asLookedFor ? 0 : static_cast<std::uint16_t>(light.missing + 1);
+  if (light.missing < params.glareImages) return;
+  light.glare = !light.glare;
+  light.missing = 0;
+}
+
+void learnLight(const SeenLight& seen, const LightParams& params, CameraLight& light) {
+  learnGlare(seen.landmarks, params, light);
+  remember(seen.surfaces, params, light);
   const LightGains now = estimatedLight(light, params);
   if (!isWorthAStep(light.applied, now, params)) return;
   light.before = light.applied;

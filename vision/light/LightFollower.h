@@ -11,7 +11,11 @@ namespace kelpie::vision {
 // An image that is looked at while it is not is in two lights and tells neither.
 inline bool isWhole(const CameraLight& light) { return light.partsToMake == 0; }
 
+// Whether landmarks are overexposed: looked for in the other way once they are long not seen in
+// this one.
+void learnGlare(LandmarkLook seen, const LightParams& params, CameraLight& light);
+
 // What an image showed, after it; the ring table must have been whole.
-void learnLight(const LightSightings& seen, const LightParams& params, CameraLight& light);
+void learnLight(const SeenLight& seen, const LightParams& params, CameraLight& light);
 
 }  // namespace kelpie::vision

@@ -36,12 +36,13 @@ struct LightParams {
   double carpetSd = 0.2;
   double lineSd = 0.1;
   double landmarkSd = 0.1;
-  double frameSd = 0.2;     // of what one image tells, besides
-  double memory = 150.0;    // images over which it is averaged
-  double unlike = 0.4;      // landmarks farther off than that are not of this light alone
-  double leastStep = 0.03;  // of a gain that is worth making tables anew
-  double mostStep = 0.15;   // at once
-  double least = 0.4;       // of the light that the table was made for
+  double frameSd = 0.2;       // of what one image tells, besides
+  double memory = 150.0;      // images over which it is averaged
+  double unlike = 0.4;        // landmarks farther off than that are not of this light alone
+  double glareImages = 30.0;  // without a landmark where one should show: it may be overexposed
+  double leastStep = 0.03;    // of a gain that is worth making tables anew
+  double mostStep = 0.15;     // at once
+  double least = 0.4;         // of the light that the table was made for
   double most = 2.0;
 
   template <int = 0>
@@ -54,7 +55,8 @@ struct LightParams {
         field("colourSd", &P::colourSd, "", 0.01, 2), field("carpetSd", &P::carpetSd, "", 0.01, 2),
         field("lineSd", &P::lineSd, "", 0.01, 2), field("landmarkSd", &P::landmarkSd, "", 0.01, 2),
         field("frameSd", &P::frameSd, "", 0.01, 2), field("memory", &P::memory, "", 1, 10000),
-        field("unlike", &P::unlike, "", 0, 2), field("leastStep", &P::leastStep, "", 0.001, 1),
+        field("unlike", &P::unlike, "", 0, 2), field("glareImages", &P::glareImages, "", 1, 10000),
+        field("leastStep", &P::leastStep, "", 0.001, 1),
         field("mostStep", &P::mostStep, "", 0.001, 1), field("least", &P::least, "", 0.1, 1),
         field("most", &P::most, "", 1, 4));
   }

@@ -137,17 +137,30 @@ LightSighting seenLandmarks(const Scene& scene, const Percepts& percepts,
         sums.add(pixel, *surface);
     }
   }
-  const LightSighting seen = sums.ratio(kMin);
-  const bool alike =
-      std::fabs(seen.brightness) < params.unlike && std::fabs(seen.colour) < params.unlike;
-  return alike ? seen : LightSighting{};
+  return sums.ratio(kMin);
+}
+
+bool isAlike(const LightSighting& seen, const LightParams& params) {
+  return std::fabs(seen.brightness) < params.unlike && std::fabs(seen.colour) < params.unlike;
+}
+
+// In glare a landmark is brighter and less colourful; in any light of the whole field it is as much
+// more of both. A landmark should show above a field edge.
+LandmarkLook lookOf(const LightSighting& landmarks, const Percepts& percepts,
+                    const LightParams& params) {
+  if (!percepts.landmarks.empty())
+    return landmarks.brightness - landmarks.colour > params.unlike ? LandmarkLook::glare
+                                                                   : LandmarkLook::even;
+  return percepts.fieldEdges.empty() ? LandmarkLook::unknown : LandmarkLook::missing;
 }
 
 }  // namespace
 
-LightSightings seenLight(const Scene& scene, const Percepts& percepts, const LightParams& params) {
-  return {seenCarpet(scene, params), seenLines(scene, percepts, params),
-          seenLandmarks(scene, percepts, params)};
+SeenLight seenLight(const Scene& scene, const Percepts& percepts, const LightParams& params) {
+  const LightSighting landmarks = seenLandmarks(scene, percepts, params);
+  return {{seenCarpet(scene, params), seenLines(scene, percepts, params),
+           isAlike(landmarks, params) ? landmarks : LightSighting{}},
+          lookOf(landmarks, percepts, params)};
 }
 
 }  // namespace kelpie::vision

@@ -11,6 +11,6 @@
 
 namespace kelpie::vision {
 
-LightSightings seenLight(const Scene& scene, const Percepts& percepts, const LightParams& params);
+SeenLight seenLight(const Scene& scene, const Percepts& percepts, const LightParams& params);
 
 }  // namespace kelpie::vision

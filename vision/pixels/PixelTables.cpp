@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/pixels/PixelTables.h"
 
+#include <utility>
+
 #include "robot/core/Maths.h"
+#include "vision/colour/ColourBuilder.h"
 
 namespace kelpie::vision {
 namespace {
@@ -35,9 +38,14 @@ RingByValue::RingByValue(const RingTable& table) : centre(table.centre) {
 }
 
 PixelTables::PixelTables(const VisionCalibration& calibration)
-    : colour(calibration.colour), ring(calibration.ring), calibrated_(ring) {}
+    : colour(calibration.colour),
+      ring(calibration.ring),
+      otherColour_(withGlare(colour)),
+      calibrated_(ring) {}
 
 void PixelTables::follow(const CameraLight& light) {
+  if (light.glare != inGlare_) std::swap(colour, otherColour_);
+  inGlare_ = light.glare;
   for (std::size_t part = 0; part < kTableParts; ++part) {
     const LightGains& wanted = part < light.partsToMake ? light.before : light.applied;
     if (lights_[part] == wanted) continue;

@@ -46,7 +46,8 @@ class PixelTables {
  public:
   explicit PixelTables(const VisionCalibration& calibration);
 
-  // Makes those parts of the ring table anew that are of another light than this one says.
+  // Makes those parts of the ring table anew that are of another light than this one says, and
+  // takes the colour table with or without glare.
   void follow(const CameraLight& light);
 
   ColourTable colour;
@@ -56,6 +57,8 @@ class PixelTables {
  private:
   void make(std::size_t part);
 
+  ColourTable otherColour_;  // with glare where `colour` is without, or the other way round
+  bool inGlare_ = false;
   RingByValue calibrated_;  // the ring table as it was measured
   std::array<LightGains, kTableParts> lights_;
   LightGains bytesAreOf_;

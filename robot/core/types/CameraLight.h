@@ -48,13 +48,16 @@ struct CameraLight {
   LightMemory carpet;
   LightMemory line;
   LightMemory landmark;
+  bool glare = false;         // landmarks are looked for as glare leaves them
+  std::uint16_t missing = 0;  // images in a row that should show such a landmark and do not
 
   template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("applied", &CameraLight::applied), field("before", &CameraLight::before),
                      field("partsToMake", &CameraLight::partsToMake, "", 0, 4),
                      field("carpet", &CameraLight::carpet), field("line", &CameraLight::line),
-                     field("landmark", &CameraLight::landmark));
+                     field("landmark", &CameraLight::landmark), field("glare", &CameraLight::glare),
+                     field("missing", &CameraLight::missing));
   }
 };
 

@@ -89,6 +89,46 @@ TEST(Light, ThatGoesOutAndOnAgainIsFollowedBothWays) {
   EXPECT_TRUE(seesBeacon(robot.look(place(1.0), 200)));
 }
 
+// Landmarks that a window or a lamp shines on, while the carpet lies in even light.
+Painting overexposed() {
+  Painting p = place(1.0);
+  for (PaintedBeacon& beacon : p.beacons)
+    for (Paint* paint : {&beacon.upper, &beacon.lower})
+      *paint = {2.0 * paint->y, 64.0 + 0.5 * paint->cr, 64.0 + 0.5 * paint->cb};
+  return p;
+}
+
+TEST(Glare, OfABeaconIsSeenThroughAfterTwoSecondsWithoutOne) {
+  Robot robot;
+  EXPECT_FALSE(seesBeacon(robot.look(overexposed(), 1)));
+  EXPECT_TRUE(seesBeacon(robot.look(overexposed(), 70)));
+  EXPECT_TRUE(robot.input->light.glare);
+}
+
+TEST(Glare, ThatIsOverIsForgotten) {
+  Robot robot;
+  robot.look(overexposed(), 70);
+  EXPECT_TRUE(seesBeacon(robot.look(place(1.0), 70)));
+  EXPECT_FALSE(robot.input->light.glare);
+}
+
+TEST(Glare, IsNotLookedForWhileABeaconIsSeen) {
+  Robot robot;
+  robot.look(place(1.0), 100);
+  EXPECT_FALSE(robot.input->light.glare);
+  EXPECT_EQ(robot.input->light.missing, 0);
+}
+
+TEST(Glare, LeavesAColourInEvenLightInItsClass) {
+  const ColourTable even = buildColourTable(nominalPrototypes());
+  const ColourTable glare = withGlare(even);
+  for (const Prototype& p : nominalPrototypes()) {
+    const Yuv c{static_cast<std::uint8_t>(p.y), static_cast<std::uint8_t>(p.cr),
+                static_cast<std::uint8_t>(p.cb)};
+    EXPECT_EQ(glare(c), even(c));
+  }
+}
+
 TEST(Light, OfAnImageWithoutCarpetTellsNothing) {
   Robot robot;
   Painting wall;
@@ -154,7 +194,7 @@ TEST(Light, ThatIsDimmerMakesTheRingTableBrighterWithinSixtyImages) {
   for (int i = 0; i < 60; ++i) {
     const double left = std::log(0.6 / light.applied.brightness);
     const LightSighting one{true, left, left};
-    if (isWhole(light)) learnLight({one, one, one}, {}, light);
+    if (isWhole(light)) learnLight({{one, one, one}}, {}, light);
     light = advanced(light);
     tables->follow(light);
   }
