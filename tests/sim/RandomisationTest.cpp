@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "robot/body/Camera.h"
 #include "robot/core/fields/FieldCheck.h"
@@ -145,16 +147,86 @@ RandomisationParams certain(const char* kind) {
   return params;
 }
 
-TEST(Randomisation, ALateImageIsThatOfTheFrameBefore) {
+TEST(Randomisation, ALateImageIsThatOfBefore) {
   const World like = worldWith({});
   const World late = worldWith(certain("lag"));
+  const double lag = late.randomised().robots[0].lag;
+  ASSERT_GT(lag, 0.1);
   const TimeUs end = like.time();
   const auto stale = late.cameras(0, end);
-  const auto before = like.cameras(0, {end.us - 33333});
+  const auto before = like.cameras(0, {end.us - std::lround(lag * kFrameSeconds * 1e6)});
   for (const std::size_t x : {0U, 100U, 207U}) {
     EXPECT_NEAR(stale[x].forward.x, before[x].forward.x, 1e-6);
     EXPECT_NEAR(stale[x].position.x, before[x].position.x, 1e-4);
   }
+}
+
+TEST(Randomisation, ImagesAndJointsAreUpToTwoFramesOldAndLightAndNoiseFarFromNominal) {
+  double lag = 0.0, joints = 0.0, noise = 0.0, dark = 9.0, bright = 0.0, turn = 0.0, stride = 0.0;
+  for (std::uint64_t match = 0; match < 1000; ++match) {
+    const RandomisedRobot robot = drawnWith({}, match);
+    const double light = drawRandomisedVenue(randomisationParams(3, {}), match).brightness;
+    lag = std::fmax(lag, robot.lag);
+    joints = std::fmax(joints, robot.jointsLag);
+    noise = std::fmax(noise, robot.noise);
+    dark = std::fmin(dark, light);
+    bright = std::fmax(bright, light);
+    turn = std::fmax(turn, std::fabs(robot.body.stride.turn.deg()));
+    stride = std::fmax(stride, std::fabs(robot.body.stride.share - 1.0));
+  }
+  EXPECT_NEAR(lag, 2.0, 0.05);
+  EXPECT_NEAR(joints, 2.0, 0.05);
+  EXPECT_NEAR(noise, 10.0, 0.1);
+  EXPECT_NEAR(dark, 0.5, 0.01);
+  EXPECT_NEAR(bright, 1.5, 0.01);
+  EXPECT_NEAR(turn, 0.3, 0.01);
+  EXPECT_NEAR(stride, 0.25, 0.01);
+}
+
+JointAngles pannedBy(double rad) {
+  JointAngles joints;
+  joints[Joint::headPan] = Angle::rad(rad);
+  return joints;
+}
+
+TEST(LateJoints, TellWhereTheyWereSoManyTicksAgo) {
+  LateJoints late(2.0);  // 8.3 ticks
+  LateJoints prompt(0.0);
+  for (int tick = 0; tick < 40; ++tick) {
+    EXPECT_EQ(prompt.tell(pannedBy(0.01 * tick))[Joint::headPan].rad(), 0.01 * tick);
+    EXPECT_NEAR(late.tell(pannedBy(0.01 * tick))[Joint::headPan].rad(), 0.01 * std::max(0, tick - 8),
+                1e-12);
+  }
+}
+
+std::unique_ptr<Image> imageWith(const RobotCamera& robot) {
+  CameraParams params = idealCamera();
+  params.artefacts.noise = true;
+  params.artefacts.noiseSdY = params.artefacts.noiseSdChroma = 0.0;
+  Scene scene;
+  scene.ceiling = scene.floor = {120, 150, 100};
+  auto image = std::make_unique<Image>();
+  Random random(1);
+  Camera(params, robot).render(scene, {}, random, *image);
+  return image;
+}
+
+TEST(Randomisation, LessLightIsLessOfEveryChannelAndLeavesGreyGrey) {
+  RobotCamera dark;
+  dark.light = 0.5;
+  const auto image = imageWith(dark);
+  EXPECT_EQ(image->y[0], 60);
+  EXPECT_EQ(image->cr[0], 139);
+  EXPECT_EQ(image->cb[0], 114);
+}
+
+TEST(Randomisation, ARobotsOwnNoiseIsInEveryChannel) {
+  RobotCamera noisy;
+  noisy.noise = 10.0;
+  const auto image = imageWith(noisy);
+  double square = 0.0;
+  for (const std::uint8_t cr : image->cr) square += maths::square(cr - 150.0) / kImagePixels;
+  EXPECT_NEAR(std::sqrt(square), 10.0, 0.5);
 }
 
 TEST(Randomisation, AColumnsCameraIsThatOfItsOwnTime) {

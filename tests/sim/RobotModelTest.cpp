@@ -58,6 +58,30 @@ TEST(RobotModel, FeetThatPushBackCarryTheBodyForward) {
   EXPECT_NEAR((robot.place().pose.heading - start.heading).rad(), 0.0, 1e-9);
 }
 
+// Of ten ticks that push back, and ten that stand.
+Pose2 movedWith(const BodyFaults& faults) {
+  RobotModel robot(ideal(), {{100, 100}, Angle::deg(90)}, 1, faults);
+  settle(robot, standing({}));
+  const Pose2 start = robot.place().pose;
+  Point3<Torso> back{};
+  for (int i = 1; i <= 20; ++i) {
+    if (i <= 10) back = {0, -0.2 * i, 0};
+    settle(robot, standing({back, back, back, back}));
+  }
+  const Point2<Robot> moved = robotFromField(start, robot.place().pose.position);
+  return {{moved.x, moved.y}, robot.place().pose.heading - start.heading};
+}
+
+TEST(RobotModel, AStrideOfItsOwnCarriesItFartherAndTurnsItWhileItWalks) {
+  BodyFaults faults;
+  const double usual = movedWith(faults).position.y;
+  faults.stride = {1.2, {}};
+  EXPECT_NEAR(movedWith(faults).position.y, 1.2 * usual, 1e-6);
+  faults.stride = {1.0, Angle::deg(0.3)};
+  const double frames = 10 * kTickSeconds / kFrameSeconds;
+  EXPECT_NEAR(movedWith(faults).heading.deg(), 0.3 * frames, 1e-6);
+}
+
 TEST(RobotModel, DiagonalPairCarriesAloneWhileTheOtherSwings) {
   RobotModel robot(ideal(), {{100, 100}, Angle::deg(0)}, 1);
   settle(robot, standing({}));

@@ -114,6 +114,7 @@ int run(const Options& options) {
   scene.own = frontLegs(place);
   RobotCamera own = randomCamera(random, {});
   own.tone = self.tone;
+  own.noise = self.noise;
   const auto camera = std::make_unique<Camera>(options.ideal ? idealCamera() : CameraParams{}, own);
   const auto image = std::make_unique<Image>();
   camera->render(scene, cameras(place, self, options.panRate), random, *image);

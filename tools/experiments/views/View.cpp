@@ -47,16 +47,18 @@ ViewMaker::ViewMaker(const ViewParams& params, std::uint64_t seed)
       seed_(seed) {}
 
 const View& ViewMaker::next() {
-  if (made_++ % kViewsPerCrowd == 0)
-    view_.scene = sim::fieldScene(
-        params_.field, params_.crowd ? random_.next() | 1U : 0,
-        sim::drawRandomisedVenue(params_.randomised, seed_ + static_cast<std::uint64_t>(made_)));
+  if (made_++ % kViewsPerCrowd == 0) {
+    const sim::Venue venue =
+        sim::drawRandomisedVenue(params_.randomised, seed_ + static_cast<std::uint64_t>(made_));
+    brightness_ = venue.brightness;
+    view_.scene = sim::fieldScene(params_.field, params_.crowd ? random_.next() | 1U : 0, venue);
+  }
   view_.real =
       sim::drawRandomisedRobot(params_.randomised, seed_ + static_cast<std::uint64_t>(made_), 0);
   claimTilt();
   view_.robotCamera = {sim::randomShift(random_),
                        sim::randomCentres(looks_, params_.camera.artefacts.centreSd),
-                       view_.real.tone};
+                       view_.real.tone, brightness_, view_.real.noise};
   const auto kind = random_.index(10);
   view_.target = kind < 4   ? ViewTarget::ball
                  : kind < 8 ? ViewTarget::landmark
@@ -224,6 +226,10 @@ void ViewMaker::turnAndRender() {
   input.elapsed = kFrameSeconds;
   input.cameraTilt = claimed_;
   input.sensors.joints = joints_;
+  const double old = view_.real.jointsLag * kFrameSeconds;
+  JointAngles& told = input.sensors.joints;
+  told[Joint::headPan] = told[Joint::headPan] - Angle::rad(rate.headPan * old);
+  told[Joint::headNod] = told[Joint::headNod] - Angle::rad(rate.headNod * old);
   for (auto& angle : input.sensors.joints.angle)
     angle = angle + Angle::rad(random_.gaussian(0.0, kJointNoise));
   input.sensors.acceleration = sim::accelerationAtRest(stance_, view_.real.body);

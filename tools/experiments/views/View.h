@@ -77,8 +77,9 @@ class ViewMaker {
   Random random_;
   Random looks_;  // of ring centres, uniforms and own legs: without them places stay what they are
   int made_ = 0;
-  Random play_;  // of the neck's gears
-  Random lean_;  // of the body's lean and what is claimed of it
+  double brightness_ = 1.0;  // of the venue
+  Random play_;              // of the neck's gears
+  Random lean_;              // of the body's lean and what is claimed of it
   CameraTilt claimed_;
   std::uint64_t seed_;
   JointAngles joints_;  // of the motors

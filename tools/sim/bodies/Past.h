@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where robots and ball were in the last ticks: all that an image shows of them, since its exposure
-// takes 4.2 ticks and a late image is another 4.2 older. A copy lets images be rendered while time
+// takes 4.2 ticks and a late image is up to 8.4 older. A copy lets images be rendered while time
 // goes on.
 #pragma once
 

@@ -12,7 +12,7 @@ struct Kind {
   const char* name;
   bool RandomisationParams::*on;
 };
-constexpr std::array<Kind, 13> kKinds{{{"body", &RandomisationParams::body},
+constexpr std::array<Kind, 16> kKinds{{{"body", &RandomisationParams::body},
                                        {"physics", &RandomisationParams::physics},
                                        {"neck", &RandomisationParams::neck},
                                        {"lens", &RandomisationParams::lens},
@@ -24,7 +24,10 @@ constexpr std::array<Kind, 13> kKinds{{{"body", &RandomisationParams::body},
                                        {"carpet", &RandomisationParams::carpet},
                                        {"light", &RandomisationParams::light},
                                        {"room", &RandomisationParams::room},
-                                       {"infrared", &RandomisationParams::infrared}}};
+                                       {"infrared", &RandomisationParams::infrared},
+                                       {"odometry", &RandomisationParams::odometry},
+                                       {"brightness", &RandomisationParams::brightness},
+                                       {"noise", &RandomisationParams::noise}}};
 
 enum class Stream : std::uint64_t {
   body = 1,
@@ -39,7 +42,11 @@ enum class Stream : std::uint64_t {
   light,
   room,
   physics,
-  infrared
+  infrared,
+  jointsLag,
+  odometry,
+  brightness,
+  noise
 };
 constexpr std::size_t kVenue = kMaxRobots;  // where a robot's number stands otherwise
 
@@ -63,6 +70,18 @@ NeckPlay drawPlay(const RandomisationParams& params, Random random) {
   return {Angle::deg(random.uniform(0.0, params.tiltPlayDeg)),
           Angle::deg(random.uniform(0.0, params.panPlayDeg)),
           Angle::deg(random.uniform(0.0, params.nodPlayDeg))};
+}
+
+Stride drawStride(const RandomisationParams& params, Random random) {
+  Stride stride;
+  stride.share = 1.0 + params.strideShare * random.uniform(-1.0, 1.0);
+  stride.turn = Angle::deg(params.turnBiasDeg * random.uniform(-1.0, 1.0));
+  return stride;
+}
+
+// Of the share of robots that have one.
+double drawLag(double share, const RandomisationParams& params, Random random) {
+  return random.chance(share) ? random.uniform(0.0, params.mostLag) : 0.0;
 }
 
 double drawReadout(const RandomisationParams& params, Random random) {
@@ -114,6 +133,8 @@ Venue drawRandomisedVenue(const RandomisationParams& params, std::uint64_t match
     venue.tapeWidth = stream(Stream::tape).uniform(params.narrowestTape, params.widestTape);
   if (params.carpet) drawCarpet(params, stream(Stream::carpet), venue);
   if (params.light) venue.light = drawLight(params, stream(Stream::light));
+  if (params.brightness)
+    venue.brightness = stream(Stream::brightness).uniform(params.darkest, params.brightest);
   if (params.room) venue.room = stream(Stream::room).next() | 1U;
   return venue;
 }
@@ -132,7 +153,12 @@ RandomisedRobot drawRandomisedRobot(const RandomisationParams& params, std::uint
     if (params.tone) drawn.tone = drawTone(params, stream(Stream::tone));
     if (params.uniform) drawn.uniform = drawUniform(params, stream(Stream::uniform));
     if (params.infrared) drawn.nose = drawNose(params, stream(Stream::infrared));
-    if (params.lag) drawn.lag = stream(Stream::lag).chance(params.lagging) ? 1.0 : 0.0;
+    if (params.noise) drawn.noise = stream(Stream::noise).uniform(0.0, params.noisiest);
+    if (params.odometry) drawn.body.stride = drawStride(params, stream(Stream::odometry));
+    if (params.lag) {
+      drawn.lag = drawLag(params.lagging, params, stream(Stream::lag));
+      drawn.jointsLag = drawLag(params.jointsLagging, params, stream(Stream::jointsLag));
+    }
   }
   drawn.body.lean.tilt = drawn.body.lean.tilt + params.lean.tilt;
   drawn.body.lean.roll = drawn.body.lean.roll + params.lean.roll;

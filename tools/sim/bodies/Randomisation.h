@@ -26,19 +26,23 @@ struct RandomisationParams {
   std::uint64_t seed = 0;  // 0: the nominal world
   Lean lean;               // constant, of every robot, in the nominal world too: for experiments
 
-  bool body = true;      // lean and accelerometer
-  bool physics = true;   // servos, mass, friction and play of legs (physics/Variation.h)
-  bool neck = true;      // play of the head's joints
-  bool lens = true;      // focal length
-  bool shutter = true;   // read-out time, or global
-  bool lag = true;       // the image is older than its stamp
-  bool tone = true;      // the camera's response is not linear
-  bool uniform = true;   // worn or shiny
-  bool tape = true;      // its width
-  bool carpet = true;    // its brightness, and stripes
-  bool light = true;     // a second one of another colour
-  bool room = true;      // walls, floor, boards and tables
-  bool infrared = true;  // what the near sensor of the head makes of a distance
+  bool body = true;     // lean and accelerometer
+  bool physics = true;  // servos, mass, friction and play of legs (physics/Variation.h)
+  bool neck = true;     // play of the head's joints
+  bool lens = true;     // focal length
+  bool shutter = true;  // read-out time, or global
+  bool lag = true;      // the image, or the joints' angles, are older than their stamp
+  bool odometry =
+      true;          // feet carry a kinematic body farther or less far than it reckons, and aside
+  bool tone = true;  // the camera's response is not linear
+  bool uniform = true;     // worn or shiny
+  bool tape = true;        // its width
+  bool carpet = true;      // its brightness, and stripes
+  bool light = true;       // a second one of another colour
+  bool brightness = true;  // of all light
+  bool noise = true;       // of the camera's pixels
+  bool room = true;        // walls, floor, boards and tables
+  bool infrared = true;    // what the near sensor of the head makes of a distance
 
   double leanSdDeg = 1.5;          // of tilt and of roll: 3 deg is 95 % (facts-2005 section 2.1)
   double accelerationBias = 20.0;  // cm/s2, sd of each axis: 1.2 deg of tilt [chosen]
@@ -58,8 +62,16 @@ struct RandomisationParams {
   double shortestReadout = 0.5;
   // OPEN-R stamps an image with a frame number in the same count as joints (openr.md section 5.3),
   // but does not say of what moment: a camera that stamps the delivery of what was exposed in the
-  // frame before looks the same. Share of such robots [chosen].
+  // frame before looks the same. Share of such robots [chosen], and what their images are old at
+  // most. Joints are as old in a quarter of the robots: no source tells of either beyond one frame.
   double lagging = 0.5;
+  double mostLag = 2.0;  // frames
+  double jointsLagging = 0.25;
+  // Of the way that a kinematic body goes, ahead, aside and in a turn, and what it turns besides in
+  // a frame in which it walks [chosen]: carpets differ more than 2005's calibrations of one walk
+  // (facts-2005 section 6.3). Physical bodies have their friction (physics).
+  double strideShare = 0.25;
+  double turnBiasDeg = 0.3;
   // A robot's linear shift is within the nominal world (ColourShift). Exponents of Y, and of Cr and
   // Cb about grey, differ from 1 by up to these [chosen]: middle grey by 12 levels, a full colour
   // by 4.
@@ -76,6 +88,11 @@ struct RandomisationParams {
   double brightestCarpet = 1.3;
   double stripeContrast = 0.08;  // at most [chosen]
   double lightStrength = 0.2;    // at most [chosen]
+  // All light over the nominal one [chosen]: a hall that is not lit for the league, and one whose
+  // camera is set too bright.
+  double darkest = 0.5;
+  double brightest = 1.5;
+  double noisiest = 10.0;  // levels, sd, from 0 to this [chosen]
   // Levels at most [chosen]; two robots differ by up to 13.6 at once (facts-2005 section 3).
   double lightWarmth = 10.0;
   // Thesis 2006 section 6.4.4: NUbots' robots read 20 to 25 cm of the same carpet. Both together
@@ -97,16 +114,30 @@ struct NoseSensor {
   }
 };
 
+// What a kinematic body's feet make of the way that they walk.
+struct Stride {
+  double share = 1.0;
+  Angle turn;  // besides, to the left, in a frame of a walk
+
+  template <int = 0>
+  static constexpr auto fields() {
+    return fieldList(field("share", &Stride::share, "", 0.1, 3),
+                     field("turn", &Stride::turn, "rad", -10, 10));
+  }
+};
+
 // What of a robot's body the walk engine does not know.
 struct BodyFaults {
   Lean lean;
   NeckPlay play;
   std::array<double, 3> accelerationBias{};  // forward, left, up
+  Stride stride;
 
   template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("lean", &BodyFaults::lean), field("play", &BodyFaults::play),
-                     field("accelerationBias", &BodyFaults::accelerationBias, "cm/s2", -981, 981));
+                     field("accelerationBias", &BodyFaults::accelerationBias, "cm/s2", -981, 981),
+                     field("stride", &BodyFaults::stride));
   }
 };
 
@@ -115,7 +146,9 @@ struct RandomisedRobot {
   std::uint64_t physics = 0;  // seed of a varied physical robot; 0: the standard one
   Lens lens;
   double readout = 1.0;                       // share of the frame; 0: global
-  double lag = 0.0;                           // frames
+  double lag = 0.0;                           // frames that images are old
+  double jointsLag = 0.0;                     // frames that the angles of joints are old
+  double noise = 0.0;                         // as RobotCamera has it
   std::array<double, 3> tone{1.0, 1.0, 1.0};  // as RobotCamera has it
   Uniform uniform;
   NoseSensor nose;
@@ -126,7 +159,9 @@ struct RandomisedRobot {
         field("body", &RandomisedRobot::body), field("physics", &RandomisedRobot::physics),
         field("lens", &RandomisedRobot::lens),
         field("readout", &RandomisedRobot::readout, "", 0, 1),
-        field("lag", &RandomisedRobot::lag, "", 0, 1),
+        field("lag", &RandomisedRobot::lag, "", 0, 2),
+        field("jointsLag", &RandomisedRobot::jointsLag, "", 0, 2),
+        field("noise", &RandomisedRobot::noise, "levels", 0, 30),
         field("tone", &RandomisedRobot::tone, "", 0.5, 2),
         field("uniform", &RandomisedRobot::uniform), field("nose", &RandomisedRobot::nose));
   }

@@ -14,6 +14,13 @@ bool isLeg(std::size_t joint) {
   return joint >= index(Joint::leftFrontRotator) && joint <= index(Joint::rightHindKnee);
 }
 
+// Of what feet roll in a tick: half of what the slowest walk that is asked for does.
+bool walks(const PlanarMotion& rolled) {
+  constexpr double kWay = 0.01;    // cm
+  constexpr double kTurn = 0.001;  // rad
+  return maths::hypot(rolled.x, rolled.y) > kWay || std::fabs(rolled.turn) > kTurn;
+}
+
 std::size_t legOf(std::size_t joint) { return (joint - index(Joint::leftFrontRotator)) / 3; }
 
 }  // namespace
@@ -115,9 +122,12 @@ void RobotModel::moveBody() {
   const std::array<bool, kLegCount> standing = standingLegs();
   drawSlip(standing);
   const PlanarMotion motion = given(onCarpet(rolled()));
-  const double x = motion.x * (1.0 - lateralSlip_);
-  const double y = motion.y * (1.0 - slipForward_);
-  const double turn = motion.turn * (1.0 - slipTurn_) + drift_ * maths::hypot(x, y);
+  const Stride& stride = faults_.stride;
+  const double x = stride.share * motion.x * (1.0 - lateralSlip_);
+  const double y = stride.share * motion.y * (1.0 - slipForward_);
+  const double bias = walks(motion) ? stride.turn.rad() * kTickSeconds / kFrameSeconds : 0.0;
+  const double turn =
+      stride.share * motion.turn * (1.0 - slipTurn_) + drift_ * maths::hypot(x, y) + bias;
   const Point2<Field> was = place_.pose.position;
   place_.pose.position = fieldFromRobot(place_.pose, {x, y});
   walked_ = place_.pose.position - was;

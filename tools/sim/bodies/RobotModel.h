@@ -2,7 +2,7 @@
 // A robot's body in the world: servos that follow their targets late, and a body that the feet on
 // the ground carry. Kinematic: the body moves so that the feet that stand keep their place (least
 // squares), with a seeded slip for each step. It cannot fall over or roll sideways; a randomised
-// one leans constantly, and its head hangs in the play of its gears.
+// one leans constantly, its head hangs in the play of its gears, and it goes farther or less far.
 #pragma once
 
 #include <array>

@@ -87,6 +87,8 @@ void Artefacts::prepareGains() {
     offset_[c].resize(kImagePixels);
     const double own = params_.shift ? robot_.shift.gain[c] : 1.0;
     const double add = params_.shift ? robot_.shift.offset[c] : 0.0;
+    // Less light leaves grey grey.
+    const double grey = c == 0 ? 0.0 : 128.0 * (1.0 - robot_.light);
     const PixelPoint centre = params_.centres ? robot_.centres[c] : kImageMiddle;
     for (std::size_t i = 0; i < kImagePixels; ++i) {
       const std::size_t column = i / kRows;
@@ -94,8 +96,8 @@ void Artefacts::prepareGains() {
       const double dy = static_cast<double>(i % kRows) + 0.5 - centre.y;
       const double d = params_.ring ? maths::hypot(dx, dy) : 0.0;
       const double ring = ringGain(kRing[c], d);
-      gain_[c][i] = static_cast<float>(ring * own);
-      offset_[c][i] = static_cast<float>(ring * add + ringOffset(kRing[c], d));
+      gain_[c][i] = static_cast<float>(ring * own * robot_.light);
+      offset_[c][i] = static_cast<float>(ring * (add + own * grey) + ringOffset(kRing[c], d));
     }
   }
 }
@@ -136,7 +138,8 @@ RawColumn::Channel Artefacts::blurred(std::size_t channel, const RawColumn& of,
 
 void Artefacts::bytes(std::size_t x, std::size_t channel, const RawColumn::Channel& value,
                       Random& random) {
-  const auto sd = static_cast<float>(channel == 0 ? params_.noiseSdY : params_.noiseSdChroma);
+  const double usual = channel == 0 ? params_.noiseSdY : params_.noiseSdChroma;
+  const auto sd = static_cast<float>(maths::hypot(usual, robot_.noise));
   const float amount = params_.noise ? sd : 0.0F;
   const float* gain = gain_[channel].data() + x * kRows;
   const float* offset = offset_[channel].data() + x * kRows;

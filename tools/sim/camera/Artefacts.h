@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ERS-7's camera does to colours: blur, the difference between robots, the ring effect,
-// noise and, of randomised robots, a response that is not linear, in that order. Each can be
-// switched off.
+// What the ERS-7's camera does to colours: blur, the light that reaches it, the difference between
+// robots, the ring effect, noise and, of randomised robots, a response that is not linear, in that
+// order. Each can be switched off.
 #pragma once
 
 #include <array>
@@ -45,6 +45,8 @@ struct RobotCamera {
   RingCentres centres = kMiddleCentres;
   // Exponents of its response: Y over black, Cr and Cb over grey; 1: linear.
   std::array<double, 3> tone{1.0, 1.0, 1.0};
+  double light = 1.0;  // of the place, over the nominal one
+  double noise = 0.0;  // levels, sd in every channel besides ArtefactParams'
 };
 
 struct ArtefactParams {

@@ -144,8 +144,9 @@ struct Stripes {
 
 // How a venue differs from the nominal one.
 struct Venue {
-  double tapeWidth = 0.0;  // cm, of all lines; 0: the field's own
-  double carpet = 1.0;     // brightness over the nominal one
+  double tapeWidth = 0.0;   // cm, of all lines; 0: the field's own
+  double carpet = 1.0;      // brightness over the nominal one
+  double brightness = 1.0;  // of all light, over the nominal one: for cameras (RobotCamera)
   Stripes stripes;
   SecondLight light;
   std::uint64_t room = 0;  // seed of walls, floor, boards and tables; 0: plain walls
@@ -153,8 +154,10 @@ struct Venue {
   template <int = 0>
   static constexpr auto fields() {
     return fieldList(field("tapeWidth", &Venue::tapeWidth, "cm", 0, 20),
-                     field("carpet", &Venue::carpet, "", 0.1, 3), field("stripes", &Venue::stripes),
-                     field("light", &Venue::light), field("room", &Venue::room));
+                     field("carpet", &Venue::carpet, "", 0.1, 3),
+                     field("brightness", &Venue::brightness, "", 0.1, 3),
+                     field("stripes", &Venue::stripes), field("light", &Venue::light),
+                     field("room", &Venue::room));
   }
 };
 

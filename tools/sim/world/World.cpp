@@ -45,8 +45,11 @@ World::World(const WorldParams& params, const body::FieldDescription& field, con
     sensorRandom_.emplace_back(partSeed(seed, part + 2));
     RobotCamera camera = randomCamera(colours, params_.camera.artefacts);
     camera.tone = randomised_.robots[i].tone;
+    camera.noise = randomised_.robots[i].noise;
+    camera.light = randomised_.venue.brightness;
     eyes_.push_back(std::make_unique<Eye>(
         Eye{{params_.camera, camera, tables}, Random(partSeed(seed, part + 3)), scene}));
+    joints_.emplace_back(randomised_.robots[i].jointsLag);
     shine_.push_back(partSeed(seed, part + 4));
   }
   buildBodies(seed);
@@ -83,9 +86,11 @@ void World::buildBodies(std::uint64_t seed) {
 void World::senseAll() {
   for (std::size_t i = 0; i < robotCount(); ++i) {
     const Surroundings around{past_.ballNow(), obstacles_, past_.robotsNow(), i};
+    BodyFeeling feeling = bodies_->feel(i);
+    feeling.joints = joints_[i].tell(feeling.joints);
     std::rotate(sensors_[i].begin(), sensors_[i].begin() + 1, sensors_[i].end());
-    sensors_[i].back() = sense(around, bodies_->feel(i), params_.sensors, sensorRandom_[i],
-                               randomised_.robots[i].nose);
+    sensors_[i].back() =
+        sense(around, feeling, params_.sensors, sensorRandom_[i], randomised_.robots[i].nose);
     charge_[i] = drained(charge_[i], batteryCurrent(i), kTickSeconds, params_.sensors);
   }
 }

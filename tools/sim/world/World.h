@@ -15,6 +15,7 @@
 #include "robot/core/Expected.h"
 #include "robot/host/world/WorldProtocol.h"
 #include "tools/sim/bodies/Bodies.h"
+#include "tools/sim/bodies/LateJoints.h"
 #include "tools/sim/bodies/Past.h"
 #include "tools/sim/bodies/Randomisation.h"
 #include "tools/sim/bodies/RobotModel.h"
@@ -161,6 +162,7 @@ class World {
   std::unique_ptr<Bodies> bodies_;
   std::vector<std::array<SensorFrame, kTicksPerMessage>> sensors_;
   std::vector<Random> sensorRandom_;
+  std::vector<LateJoints> joints_;
   std::vector<double> charge_;
   std::vector<std::unique_ptr<Eye>> eyes_;
   Referee referee_;
