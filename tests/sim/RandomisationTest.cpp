@@ -194,8 +194,8 @@ TEST(LateJoints, TellWhereTheyWereSoManyTicksAgo) {
   LateJoints prompt(0.0);
   for (int tick = 0; tick < 40; ++tick) {
     EXPECT_EQ(prompt.tell(pannedBy(0.01 * tick))[Joint::headPan].rad(), 0.01 * tick);
-    EXPECT_NEAR(late.tell(pannedBy(0.01 * tick))[Joint::headPan].rad(), 0.01 * std::max(0, tick - 8),
-                1e-12);
+    EXPECT_NEAR(late.tell(pannedBy(0.01 * tick))[Joint::headPan].rad(),
+                0.01 * std::max(0, tick - 8), 1e-12);
   }
 }
 
