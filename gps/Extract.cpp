@@ -19,6 +19,23 @@ double positionSd(const std::array<double, 9>& c) {
   return std::sqrt(std::max(0.0, mean + std::sqrt(half * half + c[1] * c[1])));
 }
 
+// What is believed of the error of the heaviest mode's place, the other modes' included: while one
+// landmark is all that was seen, each of them is narrow, and one is right.
+std::array<double, 9> covarianceAboutBest(const Modes& modes) {
+  std::array<double, 9> sum{};
+  double total = 0.0;
+  for (const PoseMode& mode : modes) total += mode.weight;
+  if (!(total > 0.0)) return modes[0].covariance;
+  for (const PoseMode& mode : modes) {
+    const Point2<Field> off = mode.pose.position - modes[0].pose.position;
+    const std::array<double, 3> apart{off.x, off.y,
+                                      (mode.pose.heading - modes[0].pose.heading).rad()};
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += mode.weight / total * (mode.covariance[i] + apart[i / 3] * apart[i % 3]);
+  }
+  return sum;
+}
+
 // Where the ball will lie: each model's end, weighed.
 Point2<Robot> stoppingPointOf(const BallTrack& ball, const BallFilterParams& params) {
   const std::array<double, 4>& rolling = ball.rolling.mean;
@@ -68,7 +85,7 @@ void extractInto(WorldModel& world, const GpsState& state, const BallFilterParam
   makeEmpty(world);
   for (const PoseMode& mode : state.pose.modes) world.modes.push_back(mode);
   world.pose = state.pose.modes[0].pose;
-  world.covariance = state.pose.modes[0].covariance;
+  world.covariance = covarianceAboutBest(state.pose.modes);
   world.positionSd = positionSd(world.covariance);
   const double headingSd = std::sqrt(std::max(0.0, world.covariance[8]));
   world.headingSd = Angle::rad(std::min(headingSd, maths::kPi));

@@ -31,9 +31,6 @@ void keepNearField(const body::FieldDescription& field, Modes& modes) {
   for (PoseMode& mode : modes) mode.pose.position = carpet.nearest(mode.pose.position);
 }
 
-// Squared, over its variance: the weight is exp(-0.5 chi squared) of three degrees of freedom.
-double lineInnovation(double weight) { return -2.0 / 3.0 * maths::log(weight); }
-
 // What a landmark tells beside the pose.
 void noteSighting(const GpsIn& in, const Measurement& seen, const GpsParams& params,
                   PoseState& state) {
@@ -58,11 +55,10 @@ bool updateByFrameOrMap(const GpsIn& in, const GpsParams& params, GpsState& stat
   SeenLines seen = linesOfFrameOrMap(in, params.lines, map);
   seen.noiseScale = state.pose.noiseScale;
   const PoseMode before = state.pose.modes[0];
-  const bool used = updateByLines(seen, state.lines.features, params.lines.update, state.pose.modes,
-                                  state.counts);
-  if (used)
-    noteInnovation(before, lineInnovation(state.pose.modes[0].weight / before.weight),
-                   params.noiseScale, state.pose.noiseScale);
+  const auto squared = updateByLines(seen, state.lines.features, params.lines.update,
+                                     state.pose.modes, state.counts);
+  const bool used = squared.has_value();
+  if (used) noteInnovation(before, *squared, params.noiseScale, state.pose.noiseScale);
   if (!params.tilt.joint)
     for (PoseMode& mode : state.pose.modes) mode.cross = {};
   const bool refused = !used && seen.lines.size() >= params.lines.update.minPoints;

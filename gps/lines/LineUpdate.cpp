@@ -70,9 +70,19 @@ Observations observationsAt(const SeenLines& seen, const FieldFeatures& field,
 // The mode's own pose, with the weight that it and the copy would share.
 PoseMode judged(const PoseMode& mode, const LineObservation& found, double outlierWeight) {
   PoseMode result = mode;
-  result.weight = corrected(mode, found).weight + outlierCopy(mode, outlierWeight).weight;
+  result.weight =
+      corrected(mode, found).weight * found.matchFactor + outlierCopy(mode, outlierWeight).weight;
   return result;
 }
+
+// From 1 at a full match to `refused` at the least that is accepted.
+double matchFactorOf(double match, double least, double refused) {
+  const double doubt = maths::clamp((1.0 - match) / std::max(1.0 - least, 1e-6), 0.0, 1.0);
+  return maths::exp(doubt * maths::log(std::max(refused, 1e-6)));
+}
+
+// The weight is exp(-0.5 chi squared) of three degrees of freedom.
+double squaredInnovation(double weightFactor) { return -2.0 / 3.0 * maths::log(weightFactor); }
 
 }  // namespace
 
@@ -100,7 +110,9 @@ std::optional<LineObservation> observationOf(const LineFit& fit, const FieldFeat
   const double moving = params.headSpeed * headSpeed;
   const double away = field.outside(fit.pose.position).value;
   const double inside = maths::exp(-params.offField * away * away);
-  if (fit.match * inside < params.match + params.matchStill / (1.0 + moving)) return std::nullopt;
+  const double match = fit.match * inside;
+  const double least = params.match + params.matchStill / (1.0 + moving);
+  if (match < least) return std::nullopt;
   const double share = 1.0 / (1.0 + moving * moving);
   LineObservation observation;
   observation.pose.pose = fit.pose;
@@ -108,6 +120,7 @@ std::optional<LineObservation> observationOf(const LineFit& fit, const FieldFeat
   observation.tilt = fit.tilt;
   observation.information = floored<5>(fit.jointInformation * share, params);
   observation.tiltPull = fit.tiltPull * share;
+  observation.matchFactor = matchFactorOf(match, least, params.refusedWeight);
   return observation;
 }
 
@@ -124,6 +137,7 @@ std::optional<LineObservation> observationAt(const PoseMode& mode, const SeenLin
   observation->pose.information *= share;
   observation->information *= share;
   observation->tiltPull *= share;
+  observation->matchFactor = 1.0 - seen.newEvidenceShare * (1.0 - observation->matchFactor);
   blurByLag(seen.lateVariance, *observation);
   return observation;
 }
@@ -134,14 +148,16 @@ double weightWithoutLineFit(const PoseMode& mode, const SeenLines& seen,
   return 1.0 - seen.newEvidenceShare * (1.0 - kept);
 }
 
-bool updateByLines(const SeenLines& seen, const FieldFeatures& field,
-                   const LineUpdateParams& params, Modes& modes, GpsCounts& counts) {
-  if (seen.lines.size() < params.minPoints) return false;
+std::optional<double> updateByLines(const SeenLines& seen, const FieldFeatures& field,
+                                    const LineUpdateParams& params, Modes& modes,
+                                    GpsCounts& counts) {
+  if (seen.lines.size() < params.minPoints) return std::nullopt;
   const Observations found = observationsAt(seen, field, params, modes, counts);
   // Lines that fit no mode are false for all: modes with a failed fit must not lose weight against
   // modes without a fit.
   if (std::none_of(found.begin(), found.end(), [](const auto& o) { return o.has_value(); }))
-    return false;
+    return std::nullopt;
+  const double weightBefore = modes[0].weight;
   const std::size_t before = modes.size();
   for (std::size_t i = 0; i < before; ++i) {
     if (i >= found.size() || !found[i]) {
@@ -154,8 +170,10 @@ bool updateByLines(const SeenLines& seen, const FieldFeatures& field,
     }
     modes.push_back(outlierCopy(modes[i], params.outlierWeight));
     modes[i] = corrected(modes[i], *found[i]);
+    modes[i].weight *= found[i]->matchFactor;
   }
-  return true;
+  const double fitted = found[0] ? found[0]->matchFactor : 1.0;
+  return squaredInnovation(modes[0].weight / (weightBefore * fitted));
 }
 
 }  // namespace kelpie::gps

@@ -18,6 +18,9 @@ struct LineObservation {
   CameraTilt tilt;
   Matrix5 information;  // of pose and tilt together
   Vector2 tiltPull;     // LineFit
+  // Weight factor of how well the points match: 1 where all do, that of a refused fit where they
+  // match as badly as they may. A wrong pose beside a lone landmark matches, too, but worse.
+  double matchFactor = 1.0;
 };
 
 // A mode after it: as `corrected` by a pose, of five states.
@@ -39,8 +42,10 @@ std::optional<LineObservation> observationAt(const PoseMode& mode, const SeenLin
 double weightWithoutLineFit(const PoseMode& mode, const SeenLines& seen,
                             const LineUpdateParams& params);
 
-// Returns whether any mode was corrected, or judged. Call mergeAndPrune() afterwards.
-bool updateByLines(const SeenLines& seen, const FieldFeatures& field,
-                   const LineUpdateParams& params, Modes& modes, GpsCounts& counts);
+// Returns the heaviest mode's squared innovation over its variance, a mean over three degrees of
+// freedom; none where no mode was corrected, or judged. Call mergeAndPrune() afterwards.
+std::optional<double> updateByLines(const SeenLines& seen, const FieldFeatures& field,
+                                    const LineUpdateParams& params, Modes& modes,
+                                    GpsCounts& counts);
 
 }  // namespace kelpie::gps

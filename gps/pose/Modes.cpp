@@ -173,14 +173,12 @@ void updateAll(const Measurement& measurement, const body::FieldDescription& fie
     modes.push_back(wide);
   }
   const std::size_t before = modes.size();
-  const Measurement withoutDistance = headingOnly(measurement);
   const double outlierWeight = outlierWeightOf(measurement.kind, params, state.sightings);
   SplitWeights weights;
   for (std::size_t i = 0; i < before; ++i) {
-    const bool oblique = atGrazingAngle(modes[i], measurement);
-    if (oblique && i == 0) count(Refusal::goalTooOblique, counts);
+    if (i == 0 && atGrazingAngle(modes[i], measurement)) count(Refusal::goalTooOblique, counts);
     modes.push_back(outlierCopy(modes[i], outlierWeight));
-    modes[i] = corrected(modes[i], oblique ? withoutDistance : measurement);
+    modes[i] = correctedByLandmark(modes[i], measurement);
     weights.copies += modes.back().weight;
     weights.corrected += modes[i].weight;
   }

@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kMinDistance = 5.0;         // cm, a beacon's radius: nearer is not linear
 constexpr double kDegenerateWeight = 1e-20;  // weight factor where nothing can be computed
+// Mean weight factor of the true mode by distance and heading: E exp(-0.5 chi squared) of two.
+constexpr double kMeanFactor = 0.5;
 
 Vector3 difference(const Pose2& to, const Pose2& from) {
   const Point2<Field> d = to.position - from.position;
@@ -25,6 +27,13 @@ void carryTilt(const InformationSum& information, const Matrix3& shrink, const V
   const Matrix2 less = cross.transpose() * information.matrix * after;
   setTilt(mode.tilt, tiltMeanOf(mode.tilt) + pull, tiltCovarianceOf(mode.tilt) - less);
   setCross(mode, after);
+}
+
+// Of the innovation's density: sqrt(det R / det S) = 1 / sqrt(det(1 + P Y)).
+double vaguenessFactor(const PoseMode& mode, const InformationSum& information) {
+  if (information.degenerate) return 1.0;
+  const Matrix3 sum = Matrix3::Identity() + covarianceOf(mode) * information.matrix;
+  return 1.0 / std::sqrt(std::max(1.0, sum.determinant()));
 }
 
 }  // namespace
@@ -100,6 +109,15 @@ PoseMode corrected(const PoseMode& mode, const Measurement& measurement) {
   InformationSum information;
   information.add(mode, measurement, mode.pose);
   return corrected(mode, information);
+}
+
+PoseMode correctedByLandmark(const PoseMode& mode, const Measurement& seen) {
+  InformationSum whole;
+  whole.add(mode, seen, mode.pose);
+  const bool grazing = atGrazingAngle(mode, seen);
+  PoseMode result = grazing ? corrected(mode, headingOnly(seen)) : corrected(mode, whole);
+  result.weight *= vaguenessFactor(mode, whole) * (grazing ? kMeanFactor : 1.0);
+  return result;
 }
 
 PoseMode corrected(const PoseMode& mode, const PoseObservation& observation) {

@@ -50,6 +50,11 @@ PoseMode corrected(const PoseMode& mode, const InformationSum& information);
 
 // The same by one observation.
 PoseMode corrected(const PoseMode& mode, const Measurement& measurement);
+// The same by a landmark, weighed with the determinant, so that a vague mode pays for all that it
+// would have explained as well. Modes that would see a goal at a grazing angle, and take its
+// heading alone, pay what the whole sighting costs: weighed by what they take they outgrew the true
+// one in every frame.
+PoseMode correctedByLandmark(const PoseMode& mode, const Measurement& seen);
 PoseMode corrected(const PoseMode& mode, const PoseObservation& observation);
 
 }  // namespace kelpie::gps

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 
 #include "gps/Refusal.h"
 #include "tools/sim/world/LocalisingRobot.h"
@@ -164,6 +165,36 @@ TEST(Localise, BlueTeamSeesTheFieldTurnedRound) {
     world = robot.step();
   }
   EXPECT_LT(robot.error(world), 15.0);
+}
+
+// Frames of three seconds of a walk with lines and the first landmark that came into view, in which
+// the robot thinks that it is within 15 cm and is not within 100.
+int sureAndWrong(std::uint64_t seed) {
+  Random random(seed);
+  sim::LocalisingRobot robot(
+      {random.uniform(60.0, 300.0), random.uniform(60.0, 480.0), random.uniform(-3.0, 3.0)}, seed);
+  std::optional<LandmarkKind> only;
+  int frames = 0;
+  for (int i = 0; i < 90; ++i) {
+    robot.walk(0.7, 0.0, 0.01);
+    robot.lookAround(sim::panAt(i));
+    robot.lookAtLines(sim::panAt(i));
+    auto& seen = robot.percepts.landmarks;
+    if (!only && !seen.empty()) only = seen[0].kind;
+    const auto kept = seen;
+    seen.clear();
+    for (const LandmarkPercept& p : kept)
+      if (p.kind == *only) seen.push_back(p);
+    const WorldModel world = robot.step();
+    frames += world.positionSd < 15.0 && robot.error(world) > 100.0 ? 1 : 0;
+  }
+  return frames;
+}
+
+TEST(Localise, ARobotThatHasSeenOneLandmarkIsNeverSureOfAPlaceFarFromItsOwn) {
+  int frames = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) frames += sureAndWrong(seed);
+  EXPECT_EQ(frames, 0);
 }
 
 TEST(Localise, BrokenInputLeavesAFiniteWideEstimateAndIsCounted) {

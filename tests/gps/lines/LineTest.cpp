@@ -86,6 +86,18 @@ TEST(LineObservation, PoorMatchesAreRefusedAndFastHeadsBelievedLess) {
   EXPECT_FALSE(observationOf(fit, features(), 0.0, {}));
 }
 
+TEST(LineObservation, AWorseMatchWeighsLess) {
+  LineFit fit = fitLines(seenFrom(kPose), kPose, features(), {});
+  const auto factor = [&](double match) {
+    fit.match = match;
+    return observationOf(fit, features(), 0.0, {})->matchFactor;
+  };
+  const LineUpdateParams params;
+  EXPECT_NEAR(factor(1.0), 1.0, 1e-3);
+  EXPECT_NEAR(factor(0.9), std::sqrt(params.refusedWeight), 1e-2);
+  EXPECT_NEAR(factor(0.801), params.refusedWeight, 1e-2);
+}
+
 double meanErrorByLines(LineUse use, Angle tiltSd) {
   double sum = 0.0;
   for (std::uint64_t run = 0; run < 10; ++run) {

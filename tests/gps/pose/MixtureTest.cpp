@@ -99,6 +99,22 @@ TEST(Mixture, ThePublishedPoseIsItsHighestPointWhereModesAreAlikeInWidth) {
   EXPECT_LT(distance(highest(modes), published(modes)), 1.0);
 }
 
+WorldModel believed(const Modes& modes) {
+  GpsState state;
+  state.pose.modes = modes;
+  return extract(state, {});
+}
+
+TEST(Mixture, ThePublishedCovarianceKnowsOfTheOtherModes) {
+  Modes modes;
+  modes.push_back(modeAt(0.6, 100, 150, 15));
+  EXPECT_EQ(believed(modes).covariance, modes[0].covariance);
+  modes.push_back(modeAt(0.4, 100, 350, 15));
+  const WorldModel world = believed(modes);
+  EXPECT_NEAR(world.positionSd, std::sqrt(15.0 * 15.0 + 0.4 * 200.0 * 200.0), 1e-9);
+  EXPECT_NEAR(world.covariance[0], 15.0 * 15.0, 1e-9);
+}
+
 // Thesis 2004 figure 2.6: half the weight on a narrow mode stands higher than the rest on a wide
 // one.
 TEST(Mixture, ThePublishedPoseIsTheHeaviestModesAndNotTheHighestPointInTheOddCase) {

@@ -48,6 +48,37 @@ TEST(PoseUpdate, JacobianMatchesDifferences) {
   }
 }
 
+double varianceOf(const PoseMode& mode, const double* jacobianRow) {
+  const Vector3 h(jacobianRow[0], jacobianRow[1], jacobianRow[2]);
+  return h.dot(covarianceOf(mode) * h);
+}
+
+TEST(PoseUpdate, ALandmarkWeighsAModeByTheDensityOfWhatWasSeen) {
+  const PoseMode mode = someMode();
+  const Measurement m = seenAt({375, 405}, 300, -0.4);
+  const Expectation e = expected(mode.pose, m.landmark);
+  Eigen::Matrix<double, 2, 3> h;
+  for (int i = 0; i < 6; ++i) h(i / 3, i % 3) = e.jacobian[static_cast<std::size_t>(i)];
+  const Matrix2 r = Vector2(400, 0.004).asDiagonal();
+  const Matrix2 s = h * covarianceOf(mode) * h.transpose() + r;
+  const Vector2 nu(300 - e.distance, (m.heading - e.heading).rad());
+  const double density = std::exp(-0.5 * nu.dot(s.inverse() * nu)) / std::sqrt(s.determinant());
+  const double factor = correctedByLandmark(mode, m).weight / mode.weight;
+  EXPECT_NEAR(factor / (density * std::sqrt(r.determinant())), 1.0, 1e-9);
+}
+
+TEST(PoseUpdate, AModeAtAGrazingAnglePaysAsForAllOfASightingThatFits) {
+  const PoseMode mode = someMode();
+  const Expectation e = expected(mode.pose, {375, 405});
+  Measurement m = seenAt({375, 405}, e.distance, e.heading.rad());
+  m.grazingHeadingVariance = 0.07;
+  const double elsewhere = correctedByLandmark(mode, m).weight;
+  m.minGoalLineDistance = 300.0;
+  const PoseMode grazing = correctedByLandmark(mode, m);
+  EXPECT_NEAR(grazing.weight, 0.5 * elsewhere, 1e-9);
+  EXPECT_GT(varianceOf(grazing, e.jacobian.data()), 0.99 * varianceOf(mode, e.jacobian.data()));
+}
+
 // The textbook's form, with another inverse and without Joseph's, on the same numbers.
 TEST(PoseUpdate, ALandmarkEqualsATextbookFilter) {
   PoseMode mode = modeAt(150, 220, 1.2);

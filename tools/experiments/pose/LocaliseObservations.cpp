@@ -17,7 +17,10 @@ namespace kelpie::experiments {
 namespace {
 
 constexpr int kFrames = 120;
-constexpr int kCounted = 60;  // the last of them
+constexpr int kCounted = 60;      // the last of them
+constexpr int kFirst = 30;        // frames of the first second
+constexpr double kSure = 15.0;    // cm, a standard deviation below which
+constexpr double kWrong = 100.0;  // an error beyond this must not be
 constexpr std::array<double, 4> kHeadings{0.0, 90.0, 180.0, 270.0};
 
 struct Conditions {
@@ -33,7 +36,10 @@ struct Conditions {
 struct Errors {
   double cm = 0.0;
   double deg = 0.0;
-  double nees = 0.0;  // over its three degrees of freedom: 1 if the covariance is true
+  double nees = 0.0;     // over its three degrees of freedom: 1 if the covariance is true
+  double worstCm = 0.0;  // of any frame that counts
+  double firstCm = 0.0;  // of the first second
+  int sureAndWrong = 0;  // frames, all of the walk
 };
 
 void see(sim::LocalisingRobot& robot, const Conditions& conditions, int frame, Random& random) {
@@ -63,8 +69,11 @@ Errors walk(const Conditions& conditions, std::uint64_t seed) {
     robot.input.odometry.forward *= conditions.reported;
     see(robot, conditions, frame, random);
     const WorldModel world = robot.step();
-    if (frame < kFrames - kCounted) continue;
     const PoseError error = poseError(world, robot.truth.pose());
+    if (frame < kFirst) errors.firstCm += error.cm / kFirst;
+    errors.sureAndWrong += world.positionSd < kSure && error.cm > kWrong ? 1 : 0;
+    if (frame < kFrames - kCounted) continue;
+    errors.worstCm = std::max(errors.worstCm, error.cm);
     errors.cm += error.cm / kCounted;
     errors.deg += error.deg / kCounted;
     errors.nees += error.nees / 3.0 / kCounted;
@@ -129,6 +138,20 @@ void addHeadings(const std::vector<Walks>& walks, Json& json) {
   json["headings_ratio"] = worst / best;
 }
 
+// Of all rows: the worst, and how often a belief was narrow and far off.
+void addAll(const std::vector<Walks>& walks, Json& json) {
+  double worst = 0.0;
+  int sureAndWrong = 0;
+  for (const Walks& one : walks) {
+    worst = std::max(worst, one.mean.worstCm);
+    sureAndWrong += one.mean.sureAndWrong;
+  }
+  json["worst_cm"] = worst;
+  json["sure_and_wrong_frames"] = sureAndWrong;
+  json["first_second_cm"] = walks[1].mean.firstCm;
+  json["first_second_with_lines_cm"] = walks[kHeadings.size() + 1].mean.firstCm;
+}
+
 // Odometry that reports 8 % too much of the way or too little, with landmarks and with lines too.
 void addOdometry(const Walks* walks, Json& json) {
   for (const char* prefix :
@@ -148,11 +171,15 @@ Expected<Json> localiseObservations(const Request& request) {
       one.mean.cm += errors.cm / request.trials;
       one.mean.deg += errors.deg / request.trials;
       one.mean.nees += errors.nees / request.trials;
+      one.mean.firstCm += errors.firstCm / request.trials;
+      one.mean.worstCm = std::max(one.mean.worstCm, errors.worstCm);
+      one.mean.sureAndWrong += errors.sureAndWrong;
     }
   });
   Json json;
   addHeadings(walks, json);
   const Walks* other = &walks[kHeadings.size()];
+  addAll(walks, json);
   json["false_mean_cm"] = other[0].mean.cm;
   json["with_lines_cm"] = other[1].mean.cm;
   json["with_lines_deg"] = other[1].mean.deg;
