@@ -10,6 +10,7 @@
 #include "gps/pinks/PinkMapParams.h"
 #include "gps/players/PlayersParams.h"
 #include "gps/pose/Crossing.h"
+#include "gps/pose/LandmarkOffsets.h"
 #include "gps/pose/NoiseScale.h"
 #include "gps/pose/OdometryErrorsParams.h"
 #include "gps/pose/PoseParams.h"
@@ -31,6 +32,7 @@ struct GpsParams {
   LandmarkGates gates;
   ModeParams modes;
   CrossingParams crossing;
+  LandmarkOffsetParams landmarkOffsets;
   NoiseScaleParams noiseScale;
   TiltParams tilt;
   FocalParams focal;
@@ -48,11 +50,12 @@ struct GpsParams {
         field("odometryErrors", &GpsParams::odometryErrors), field("stuck", &GpsParams::stuck),
         field("shake", &GpsParams::shake), field("afterPenalty", &GpsParams::afterPenalty),
         field("gates", &GpsParams::gates), field("modes", &GpsParams::modes),
-        field("crossing", &GpsParams::crossing), field("noiseScale", &GpsParams::noiseScale),
-        field("tilt", &GpsParams::tilt), field("focal", &GpsParams::focal),
-        field("lag", &GpsParams::lag), field("lines", &GpsParams::lines),
-        field("pinks", &GpsParams::pinks), field("ball", &GpsParams::ball),
-        field("players", &GpsParams::players));
+        field("crossing", &GpsParams::crossing),
+        field("landmarkOffsets", &GpsParams::landmarkOffsets),
+        field("noiseScale", &GpsParams::noiseScale), field("tilt", &GpsParams::tilt),
+        field("focal", &GpsParams::focal), field("lag", &GpsParams::lag),
+        field("lines", &GpsParams::lines), field("pinks", &GpsParams::pinks),
+        field("ball", &GpsParams::ball), field("players", &GpsParams::players));
   }
 };
 

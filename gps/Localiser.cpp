@@ -11,6 +11,7 @@
 #include "gps/camera/Tilt.h"
 #include "gps/players/BallLandmark.h"
 #include "gps/players/Players.h"
+#include "gps/pose/LandmarkOffsets.h"
 #include "gps/pose/OdometryErrors.h"
 #include "gps/pose/Return.h"
 
@@ -24,6 +25,7 @@ void prepare(const GpsParams& params, GpsState& state) {
   state.pose.focal = startingFocal(params.focal);
   state.pose.lag = startingLag(params.lag);
   state.pose.odometry = startingErrors(params.odometryErrors);
+  state.pose.offsets = startingOffsets(params.landmarkOffsets);
 }
 
 namespace {

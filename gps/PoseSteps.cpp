@@ -14,6 +14,7 @@
 #include "gps/lines/Lines.h"
 #include "gps/pinks/Pinks.h"
 #include "gps/pose/Crossing.h"
+#include "gps/pose/LandmarkOffsets.h"
 #include "gps/pose/Modes.h"
 #include "gps/pose/NoiseScale.h"
 #include "gps/pose/OdometryErrors.h"
@@ -95,6 +96,7 @@ Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state) {
   const Step step{corrected(held, elapsed, pose.odometry), inContact(noise)};
   const StepNoise scaled = inContact(scaledBy(pose.noiseScale, noise));
   predictAll(held, {step.odometry, scaled}, elapsed, params.odometryErrors, pose);
+  driftOffsets(in.input.game.team, elapsed, params.landmarkOffsets, pose.offsets);
   driftTilt(elapsed, params.tilt, pose.modes);
   moveCrossing(step.odometry, elapsed, pose.surprising);
   moveLagReferences(step.odometry, elapsed, pose.lagReferences);
@@ -141,10 +143,15 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state,
                   LandmarkUpdate update) {
   for (Measurement m : measurements(in, params, state.counts)) {
     scaleBy(state.pose.noiseScale, m);
+    m = displaced(m, params.landmarkOffsets, state.pose.offsets);
     if (state.pose.lost) {
       seedAround(m, params.field, params.modes, state.pose, state.counts);
     } else {
+      const Measurement moved = m;
+      m = doubted(m, state.pose.offsets);
       noteSighting(in, m, params, state.pose);
+      learnOffset(state.pose.modes[0], moved, params.landmarkOffsets, state.pose.offsets,
+                  state.counts);
       cross(m, params.field, params.crossing, params.modes, state.pose);
       update(m, params.field, params.modes, state.pose, state.counts);
     }

@@ -38,7 +38,8 @@ enum class Refusal : std::uint8_t {
   pinkElevation,   // too low or too high for the wall
   pinkNearBeacon,
   pinkMapFull,
-  tiltUnlikely,  // far from what is known of the camera's tilt
+  tiltUnlikely,   // far from what is known of the camera's tilt
+  landmarkMoved,  // it is used where it seems to stand, which is not where the map has it
 };
 
 // In the order of the numbers.
@@ -67,6 +68,7 @@ inline constexpr RefusalName<Refusal> kRefusalNames[] = {
     {Refusal::pinkNearBeacon, "pinkNearBeacon"},
     {Refusal::pinkMapFull, "pinkMapFull"},
     {Refusal::tiltUnlikely, "tiltUnlikely"},
+    {Refusal::landmarkMoved, "landmarkMoved"},
 };
 constexpr std::size_t kRefusalCount = std::size(kRefusalNames);
 

@@ -69,6 +69,19 @@ struct OdometryErrors {
   PoseMode predicted;             // that mode, after it has moved
 };
 
+// Of one landmark from its place on the map, cm and cm2 in the team's field (LandmarkOffsets.h).
+struct LandmarkOffset {
+  double x = 0.0;
+  double y = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+};
+struct LandmarkOffsets {
+  TeamColour team = TeamColour::red;
+  std::array<LandmarkOffset, kLandmarkKindCount> landmarks{};
+};
+
 struct PoseState {
   bool started = false;
   bool lost = true;  // no landmark has been used since the start or the last loss of all modes
@@ -78,6 +91,7 @@ struct PoseState {
   ImageLag lag;
   LagReferences lagReferences{};
   OdometryErrors odometry;
+  LandmarkOffsets offsets;
   SurprisingSighting surprising;
   SightingRecords sightings{};
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode predicted

@@ -75,7 +75,7 @@ BallPercept perceptOf(const Scene& scene, const BallCandidate& c, const BallFind
   ball.distance = place.norm();
   ball.heading = bearing(place);
   ball.elevation = Angle::rad(maths::asin(c.axis.z));
-  ball.distanceVariance = range.variance;
+  ball.distanceVariance = std::max(range.variance, maths::square(p.minRangeShare * range.value));
   const double pixel = p.edgeSd / focalLength(scene);
   ball.headingVariance = maths::square(p.headingSd.rad()) + pixel * pixel;
   ball.elevationError = elevationErrorOf(scene, c, p);

@@ -49,6 +49,12 @@ TEST(Ball, IsStillSeenAt350Centimetres) {
   EXPECT_GT(seen.percepts.ball.distanceVariance, 400.0);
 }
 
+TEST(Ball, NearOneIsNotBelievedBetterThanAShareOfItsDistance) {
+  const Seen seen = look(ballAt(25, 0), cameraAt(16, 10, -30));
+  ASSERT_TRUE(seen.percepts.ball.present);
+  EXPECT_GE(std::sqrt(seen.percepts.ball.distanceVariance), 0.4);
+}
+
 TEST(Ball, CutByTheImageBorderKeepsItsDistance) {
   const Seen seen = look(ballAt(45, 33), cameraAt(16, 5, -20));
   ASSERT_TRUE(seen.percepts.ball.present);
