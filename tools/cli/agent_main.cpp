@@ -22,6 +22,7 @@
 #include "tools/cli/log/Logs.h"
 #include "tools/cli/match/Describe.h"
 #include "tools/cli/options/Config.h"
+#include "tools/session/Confinement.h"
 #include "tools/sim/referee/UnusedControl.h"
 
 namespace kelpie::cli {
@@ -48,6 +49,7 @@ struct AgentOptions {
   ConfigOptions config;
   bool physical = true;
   bool again = false;
+  bool confined = false;
 };
 
 // Passes frames on to the log and the driver, if there are such, and says now and then what the
@@ -183,6 +185,13 @@ ImagesKept imagesKept(const AgentOptions& options) {
   return options.allImages ? ImagesKept::all : ImagesKept::some;
 }
 
+Status confineTo(const std::string& scripts) {
+  const auto lack = confineScripts({scripts});
+  if (!lack) return Error{lack.error()};
+  if (!lack->empty()) fmt::print(stderr, "{}\n", *lack);
+  return Done{};
+}
+
 // A script that does not load is bad input: reported before the match, not during it. During it the
 // robot stands until the script is mended, as one does whose scripts are edited while it plays.
 int run(const AgentOptions& options) {
@@ -208,6 +217,8 @@ int run(const AgentOptions& options) {
   Links links;
   const Status linked = openLinks(options, {config->team, config->player}, links);
   if (!linked) return fail(linked.error(), 1);
+  const Status confined = options.confined ? confineTo(options.pycode) : Done{};
+  if (!confined) return fail(confined.error(), 1);
   AgentSink sink(log ? &*log : nullptr, links.driver ? &*links.driver : nullptr, options.status);
   agent::AgentLoops loops(*config, options.pycode, sink);
   if (!loops.scriptError().empty() && !options.again) return fail(loops.scriptError(), 2);
@@ -263,6 +274,9 @@ int main(int argc, char** argv) {
       .check(kelpie::cli::integerInRange(1, 65535));
   app.flag("--again", options.again,
            "The match goes on: scripts that do not load are waited for, not refused");
+  app.flag("--confined", options.confined,
+           "The scripts are somebody else's: no files but theirs, no sockets, programs or memory "
+           "without end");
   app.flag("--status", options.status, "Says twice a second what the robot believes");
   addConfigOptions(app, options.config);
   bool done = false;

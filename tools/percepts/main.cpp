@@ -13,6 +13,7 @@
 #include "tools/cli/log/Logs.h"
 #include "tools/cli/options/Config.h"
 #include "tools/percepts/PerceptMatch.h"
+#include "tools/session/Confinement.h"
 #include "tools/sim/WorldOptions.h"
 
 namespace kelpie::percepts {
@@ -21,6 +22,7 @@ namespace {
 struct Options : sim::WorldOptions {
   std::vector<std::string> robots;                     // "red:2"
   std::vector<std::string> pycode, params, set, logs;  // "red:2=VALUE"
+  bool confined = false;
 };
 
 struct Player {
@@ -143,6 +145,17 @@ struct Trouble {
   int code = 0;
 };
 
+// Scripts of all teams run in this process, and may read each other's.
+Status confineIfAsked(const Options& options, const std::vector<Player>& players) {
+  if (!options.confined) return Done{};
+  std::vector<std::string> scripts;
+  for (const Player& player : players) scripts.push_back(player.scripts);
+  const auto lack = cli::confineScripts(scripts);
+  if (!lack) return Error{lack.error()};
+  if (!lack->empty()) sim::tellLine(*lack);
+  return Done{};
+}
+
 Trouble play(const Options& options) {
   const auto field = fieldOf(options);
   if (!field) return {field.error(), 2};
@@ -162,6 +175,11 @@ Trouble play(const Options& options) {
   std::optional<LogWriter> log;
   const Status logged = openLog(options, log);
   if (!logged) return {logged.error(), 1};
+  std::ofstream result;
+  const Status opened = openResult(options, result);
+  if (!opened) return {opened.error(), 1};
+  const Status confined = confineIfAsked(options, *players);
+  if (!confined) return {confined.error(), 1};
   sim::World world(worldParams(options), *field, *setup, options.seed);
   PerceptMatch match(world, agents.robots, options.seed, log ? &*log : nullptr,
                      hooksOf(options, world));
@@ -171,7 +189,7 @@ Trouble play(const Options& options) {
   if (!played) return {played.error(), 1};
   Status closed = agents.close();
   if (closed && log) closed = log->close();
-  if (closed) closed = writeResult(options, world);
+  if (closed) closed = writeResult(options, world, result);
   return closed ? Trouble{} : Trouble{closed.error(), 1};
 }
 
@@ -181,6 +199,9 @@ void describe(cli::CommandLine& app, Options& options) {
   app.option("--params", options.params, "ROBOT=FILE of parameters");
   app.option("--set", options.set, "ROBOT=KEY=VALUE, over the files'");
   app.option("--log", options.logs, "ROBOT=FILE for what it knew, decided and did");
+  app.flag("--confined", options.confined,
+           "Some scripts are somebody else's: no files but behaviours, no sockets, programs or "
+           "memory without end");
   sim::addWorldOptions(app, options);
 }
 

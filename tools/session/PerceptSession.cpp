@@ -60,7 +60,9 @@ Words perceptCommand(const SessionOptions& options, const RunDirectory& runDirec
   watched.addEach("--params", options.params);
   watched.addEach("--set", options.set);
   if (options.keepsLog()) watched.add("--log", agentLog(options, runDirectory, 0));
+  bool confined = isConfined(options, options.pycode);
   for (const OtherRobot& robot : options.others) {
+    confined = confined || isConfined(options, robot.pycode);
     RobotWords words(robot.team, robot.player, argv);
     words.add("--pycode", robot.pycode);
     words.addEach("--params", robot.params);
@@ -68,6 +70,7 @@ Words perceptCommand(const SessionOptions& options, const RunDirectory& runDirec
     if (options.keepAll || options.allLogs)
       words.add("--log", otherLog(options, runDirectory, robot));
   }
+  if (confined) argv.push_back("--confined");
   return argv;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "tools/cli/DataFolder.h"
 #include "tools/cli/Process.h"
 #include "tools/session/Teams.h"
 
@@ -155,6 +156,13 @@ std::string otherLog(const SessionOptions& options, const RunDirectory& runDirec
   return partPath(options, runDirectory, logName(robot.team, robot.player, life));
 }
 
+bool isConfined(const SessionOptions& options, const std::string& scripts) {
+  if (options.trust || scripts.empty()) return false;
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(scripts, error).lexically_relative(dataFolder());
+  return error || place.empty() || *place.begin() == "..";
+}
+
 Words agentCommand(const SessionOptions& options, const RunDirectory& runDirectory, int life) {
   Words argv = anyAgent(options, options.team, options.seed, runDirectory, life);
   argv.insert(argv.end(), {"--player", std::to_string(options.player), "--status"});
@@ -168,6 +176,7 @@ Words agentCommand(const SessionOptions& options, const RunDirectory& runDirecto
   else if (options.images == ImagesKept::all)
     argv.push_back("--all-images");
   addUnlessEmpty("--pycode", options.pycode, argv);
+  if (isConfined(options, options.pycode)) argv.push_back("--confined");
   addEach("--params", options.params, argv);
   addEach("--set", options.set, argv);
   addUnlessEmpty("--driver", options.driver, argv);
@@ -183,6 +192,7 @@ Words otherCommand(const SessionOptions& options, const OtherRobot& robot,
                              otherLog(options, runDirectory, robot, life)});
   if (options.live) argv.push_back("--plain-log");
   addUnlessEmpty("--pycode", robot.pycode, argv);
+  if (isConfined(options, robot.pycode)) argv.push_back("--confined");
   addEach("--params", robot.params, argv);
   addEach("--set", robot.set, argv);
   return argv;

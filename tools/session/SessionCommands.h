@@ -19,6 +19,9 @@ std::vector<std::string> strangerCommand(const SessionOptions& options,
 std::string strangerSocket(const host::AgentHello& robot, const RunDirectory& runDirectory);
 // The robots of a session that such programs play.
 std::vector<host::AgentHello> strangersOf(const SessionOptions& options);
+// Whether who runs these scripts is confined: they did not come with Kelpie, and nobody trusts
+// them.
+bool isConfined(const SessionOptions& options, const std::string& scripts);
 // Of the robot that is watched.
 std::vector<std::string> agentCommand(const SessionOptions& options,
                                       const RunDirectory& runDirectory, int life = 0);

@@ -45,6 +45,7 @@ struct SessionOptions {
   std::string scenario = "empty-goal";
   double dropRate = 0.0;
   std::string pycode;               // folder or zip; empty: the one of the source tree
+  bool trust = false;               // scripts from elsewhere are not confined (Confinement.h)
   std::vector<std::string> params;  // TOML files, general to specific
   std::vector<std::string> set;     // "behaviour.task.grab=false", over the files
   std::string colourTable;          // file; empty: the built-in one

@@ -108,14 +108,20 @@ Status openLog(const WorldOptions& options, std::optional<LogWriter>& log) {
   return Done{};
 }
 
-Status writeResult(const WorldOptions& options, const World& world) {
+Status openResult(const WorldOptions& options, std::ofstream& file) {
+  if (options.result.empty()) return Done{};
+  file.open(options.result);
+  if (!file) return Error{"cannot write " + options.result};
+  return Done{};
+}
+
+Status writeResult(const WorldOptions& options, const World& world, std::ofstream& file) {
   if (options.result.empty()) return Done{};
   const Score& score = world.score();
   std::string goals;
   for (const Goal& goal : score.goals)
     goals += fmt::format("{}{{\"team\":\"{}\",\"t_s\":{:.3f},\"own\":{}}}",
                          goals.empty() ? "" : ",", nameOf(goal.team), goal.time, goal.own);
-  std::ofstream file(options.result);
   file << fmt::format("{{\"goals\":[{}],\"seconds\":{:.3f},\"outs\":{},\"seed\":{}}}\n", goals,
                       world.time().seconds(), score.outs, options.seed);
   file.close();

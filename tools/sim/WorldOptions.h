@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <functional>
 #include <optional>
 #include <string>
@@ -43,7 +44,9 @@ WorldParams worldParams(const WorldOptions& options);
 Expected<body::FieldDescription> fieldOf(const WorldOptions& options);
 // The truth log, if one is asked for.
 Status openLog(const WorldOptions& options, std::optional<LogWriter>& log);
-Status writeResult(const WorldOptions& options, const World& world);
+// The file of the result, opened before the match by who cannot open files after it.
+Status openResult(const WorldOptions& options, std::ofstream& file);
+Status writeResult(const WorldOptions& options, const World& world, std::ofstream& file);
 
 // A line on standard output, at once.
 void tellLine(const std::string& line);

@@ -172,7 +172,9 @@ Status play(const Options& options) {
     const Status closed = log->close();
     if (!closed) return closed;
   }
-  return writeResult(options, world);
+  std::ofstream result;
+  const Status opened = openResult(options, result);
+  return opened ? writeResult(options, world, result) : opened;
 }
 
 void describe(cli::CommandLine& app, Options& options) {

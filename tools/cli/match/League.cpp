@@ -50,6 +50,7 @@ struct LeagueOptions {
   int workers = 0;  // 0: one for two cores
   bool physical = false;
   bool percepts = false;
+  bool trust = false;
   bool table = false;
   bool once = false;
   bool about = false;
@@ -162,6 +163,7 @@ league::MatchResult playMatch(const league::LeagueMatch& match, const LeagueOpti
   session.seconds = 60.0 * match.minutes;
   session.physical = !match.fast;
   session.percepts = options.percepts;
+  session.trust = options.trust;
   session.set = {kNoReload};
   useRules(options.rules, session);
   const Status used =
@@ -341,6 +343,8 @@ void addOptions(CommandLine& command, LeagueOptions& options) {
                "Bodies with masses and servos, or kinematic ones (the default)");
   command.flag("--percepts", options.percepts,
                "No images: percepts as vision would make them; a fifth of the processor time");
+  command.flag("--trust", options.trust,
+               "Scripts of the teams may do all that the user may (docs/behaviours.md)");
   addRulesOption(command, options.rules);
   command.flag("--table", options.table, "Plays nothing: shows what the league has come to");
   auto until =

@@ -404,6 +404,9 @@ void addTeamOptions(CommandLine& command, PlayOptions& options) {
   command.option("--red", options.red, "The red team's folder: main.py, team.toml or both")
       .check(existingFolder());
   command.option("--blue", options.blue, "The blue team's folder").check(existingFolder());
+  command.flag("--trust", session.trust,
+               "Scripts that did not come with Kelpie may do all that the user may: without it "
+               "they read their own folder and nothing else (docs/behaviours.md)");
   command.option("--minutes", options.minutes, "The same as 60 --seconds")
       .check(inRange(0.1, kLongestMatch / 60.0))
       .excludes("--seconds");
