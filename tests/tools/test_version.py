@@ -6,7 +6,7 @@ import subprocess
 
 from conftest import BIN, ROOT
 
-LINE = re.compile(r"kelpie \d+\.\d+, commit ([0-9a-f]{7,}(-dirty)?|unknown), "
+LINE = re.compile(r"kelpie \d+\.\d+\S*, commit ([0-9a-f]{7,}(-dirty)?|unknown), "
                   r"field lists [0-9a-f]{16}\n")
 
 
@@ -19,9 +19,12 @@ def commit_of(folder, out):
     """What the build would compile in for that source tree."""
     subprocess.run(["cmake", "-D", f"OUT={out}", "-D", f"SOURCE={folder}", "-D", "VERSION=3.2",
                     "-P", ROOT / "cmake/commit.cmake"], check=True)
-    text = out.read_text()
-    assert 'projectVersion() { return "3.2"; }' in text
-    return re.search(r'sourceCommit\(\) \{ return "(.*)"; \}', text).group(1)
+    return re.search(r'sourceCommit\(\) \{ return "(.*)"; \}', out.read_text()).group(1)
+
+
+def version_of(folder, out):
+    commit_of(folder, out)
+    return re.search(r'projectVersion\(\) \{ return "(.*)"; \}', out.read_text()).group(1)
 
 
 def test_the_three_programs_say_the_same_line():
@@ -46,6 +49,18 @@ def test_the_commit_is_the_trees_and_a_change_makes_it_dirty(tmp_path):
     assert commit_of(tree, tmp_path / "Commit.cpp") == clean
     (tree / "a.txt").write_text("two")
     assert commit_of(tree, tmp_path / "Commit.cpp") == clean + "-dirty"
+
+
+def test_the_version_is_the_last_tag_and_before_one_it_sorts_before_the_next(tmp_path):
+    tree, out = tmp_path / "tree", tmp_path / "Commit.cpp"
+    assert version_of(tmp_path, out) == "3.2~unknown"
+    git(tmp_path, "init", "-q", tree)
+    git(tree, "commit", "-q", "--allow-empty", "-m", "first")
+    assert re.fullmatch(r"3\.2~\d{8}\.g[0-9a-f]{7}", version_of(tree, out))
+    git(tree, "tag", "v3.3")
+    assert version_of(tree, out) == "3.3"
+    git(tree, "commit", "-q", "--allow-empty", "-m", "second")
+    assert re.fullmatch(r"3\.3\+1\.g[0-9a-f]{7}", version_of(tree, out))
 
 
 def test_the_file_is_written_only_when_the_answer_changes(tmp_path):
