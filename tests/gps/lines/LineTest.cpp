@@ -100,7 +100,7 @@ TEST(LineObservation, AWorseMatchWeighsLess) {
 
 double meanErrorByLines(LineUse use, Angle tiltSd) {
   double sum = 0.0;
-  for (std::uint64_t run = 0; run < 10; ++run) {
+  for (std::uint64_t run = 0; run < 40; ++run) {
     sim::LocalisingRobot robot({180, 250, 1.0}, run);
     robot.params.lines.update.use = use;
     robot.params.tilt.use = true;
@@ -110,7 +110,7 @@ double meanErrorByLines(LineUse use, Angle tiltSd) {
       robot.walk(0.7, 0.0, 0.01);
       robot.lookAtLines(1.2 * std::sin(i / 10.0));
       const WorldModel world = robot.step();
-      if (i >= 60) sum += robot.error(world) / 30 / 10;
+      if (i >= 60) sum += robot.error(world) / 30 / 40;
     }
   }
   return sum;
