@@ -18,7 +18,6 @@
 #include <functional>
 #include <thread>
 
-#include "tools/cli/DataFolder.h"
 #include "tools/session/Confinement.h"
 #include "tools/session/SessionCommands.h"
 
@@ -168,18 +167,23 @@ TEST_F(Confined, LiftsNoLimit) {
             EPERM);
 }
 
+// Kelpie's own behaviours and teams, beside the programs.
+std::string ownFolder() {
+  return fs::canonical(fs::canonical("/proc/self/exe").parent_path() / "../share/kelpie").string();
+}
+
 TEST(Confinement, ATeamFromElsewhereIsConfinedUnlessItIsTrusted) {
   SessionOptions options;
   EXPECT_TRUE(isConfined(options, "/tmp/foxes"));
-  EXPECT_TRUE(isConfined(options, dataFolder() + "-other/main.py"));
+  EXPECT_TRUE(isConfined(options, ownFolder() + "-other/main.py"));
   EXPECT_FALSE(isConfined(options, ""));
-  EXPECT_FALSE(isConfined(options, dataFolder() + "/pycode"));
+  EXPECT_FALSE(isConfined(options, ownFolder() + "/pycode"));
   options.trust = true;
   EXPECT_FALSE(isConfined(options, "/tmp/foxes"));
 }
 
 TEST(Confinement, ATeamInsideTheTreeByAWayOutOfItIsFromElsewhere) {
-  EXPECT_TRUE(isConfined({}, dataFolder() + "/teams/../../foxes"));
+  EXPECT_TRUE(isConfined({}, ownFolder() + "/teams/../../foxes"));
 }
 
 }  // namespace
