@@ -60,11 +60,13 @@ void driftOffsets(TeamColour team, double elapsed, const LandmarkOffsetParams& p
   if (!params.use) return;
   if (team != offsets.team) offsets = startingOffsets(params);
   offsets.team = team;
-  const double grown = elapsed * maths::square(params.drift);
-  const double most = maths::square(params.sd);
-  for (LandmarkOffset& one : offsets.landmarks)
-    for (double* variance : {&one.xx, &one.yy})
-      *variance = std::max(*variance, std::min(*variance + grown, most));
+  const double settled = maths::square(params.sd);
+  const double kept = maths::exp(-0.5 * elapsed * maths::square(params.drift) / settled);
+  for (LandmarkOffset& one : offsets.landmarks) {
+    for (double* mean : {&one.x, &one.y}) *mean *= kept;
+    for (double* covariance : {&one.xx, &one.xy, &one.yy}) *covariance *= kept * kept;
+    for (double* variance : {&one.xx, &one.yy}) *variance += (1.0 - kept * kept) * settled;
+  }
 }
 
 Measurement displaced(const Measurement& seen, const LandmarkOffsetParams& params,

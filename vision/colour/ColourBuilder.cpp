@@ -38,6 +38,16 @@ constexpr std::array<Prototype, 3> kGlarePrototypes = {
      {ColourClass::yellow, 235, 144, 94.5, 0.75, 1.1, 18},
      {ColourClass::pink, 226, 160.5, 126, 0.75, 1.15, 18}}};
 
+// Where no colour in glare is, told by whole numbers: looking at every cell as closely as
+// nearestOf() does doubled a robot's time to its first command (toolchain/budget, first_command).
+bool isFarFromGlare(Yuv c) {
+  constexpr int kDarkest = 104;
+  constexpr int kWidest = 60;  // of the chroma, from grey
+  const int cr = c.cr - static_cast<int>(kNeutralChroma);
+  const int cb = c.cb - static_cast<int>(kNeutralChroma);
+  return c.y < kDarkest || cr * cr + cb * cb > kWidest * kWidest;
+}
+
 // Squared distance in units of the prototype's radius: 1 is the rim.
 double squaredDistance(const Prototype& p, Yuv c) {
   const double shade = maths::clamp(c.y / p.y, p.darkest, p.brightest);
@@ -79,7 +89,9 @@ ColourTable withGlare(const ColourTable& even) {
     const ColourClass colour = even.at(cell);
     if (colour != ColourClass::none && colour != ColourClass::white) continue;
     const Yuv centre = ColourTable::centreOf(cell);
+    if (isFarFromGlare(centre)) continue;
     const auto glare = nearestOf(kGlarePrototypes, centre);
+    if (glare.second == ColourClass::none) continue;
     if (glare.first < nearestOf(kNominalPrototypes, centre).first) table.set(cell, glare.second);
   }
   return table;

@@ -44,7 +44,7 @@ PixelTables::PixelTables(const VisionCalibration& calibration)
       calibrated_(ring) {}
 
 void PixelTables::follow(const CameraLight& light) {
-  if (light.glare != inGlare_) std::swap(colour, otherColour_);
+  if (light.glare != inGlare_) colour.cells.swap(otherColour_.cells);
   inGlare_ = light.glare;
   for (std::size_t part = 0; part < kTableParts; ++part) {
     const LightGains& wanted = part < light.partsToMake ? light.before : light.applied;
