@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "robot/core/Maths.h"
 
@@ -14,6 +15,8 @@ namespace {
 constexpr double kBrightnessRadius = 12.0;
 // How far the chroma follows the shading: 0 = not, 1 = in proportion.
 constexpr double kChromaFollows = 0.6;
+constexpr std::size_t kCellsOfABrightness = std::size_t{1}
+                                            << (ColourTable::kBitsCr + ColourTable::kBitsCb);
 constexpr double kMaxChromaShade = 1.1;  // of y; brighter glare adds no more chroma
 
 // Class; Y, Cr, Cb; darkest and brightest share of Y; radius. Blue ends at a little over half of
@@ -38,36 +41,68 @@ constexpr std::array<Prototype, 3> kGlarePrototypes = {
      {ColourClass::yellow, 235, 144, 94.5, 0.75, 1.1, 18},
      {ColourClass::pink, 226, 160.5, 126, 0.75, 1.15, 18}}};
 
-// Where no colour in glare is, told by whole numbers: looking at every cell as closely as
-// nearestOf() does doubled a robot's time to its first command (toolchain/budget, first_command).
-bool isFarFromGlare(Yuv c) {
-  constexpr int kDarkest = 104;
-  constexpr int kWidest = 60;  // of the chroma, from grey
-  const int cr = c.cr - static_cast<int>(kNeutralChroma);
-  const int cb = c.cb - static_cast<int>(kNeutralChroma);
-  return c.y < kDarkest || cr * cr + cb * cb > kWidest * kWidest;
-}
+// A prototype as it looks at one brightness.
+struct Shaded {
+  ColourClass colour = ColourClass::none;
+  double cr = kNeutralChroma;
+  double cb = kNeutralChroma;
+  double squaredRadius = 1.0;
+  double squaredDistance = 0.0;  // in brightness, in units of kBrightnessRadius
+};
 
-// Squared distance in units of the prototype's radius: 1 is the rim.
-double squaredDistance(const Prototype& p, Yuv c) {
-  const double shade = maths::clamp(c.y / p.y, p.darkest, p.brightest);
+Shaded shadedAt(const Prototype& p, double y) {
+  const double shade = maths::clamp(y / p.y, p.darkest, p.brightest);
   const double saturation =
       1.0 - kChromaFollows + kChromaFollows * maths::clamp(shade, 0.0, kMaxChromaShade);
-  const double dCr = c.cr - (kNeutralChroma + saturation * (p.cr - kNeutralChroma));
-  const double dCb = c.cb - (kNeutralChroma + saturation * (p.cb - kNeutralChroma));
-  const double dY = c.y - shade * p.y;
-  return (dCr * dCr + dCb * dCb) / maths::square(p.radius) + maths::square(dY / kBrightnessRadius);
+  return {p.colour, kNeutralChroma + saturation * (p.cr - kNeutralChroma),
+          kNeutralChroma + saturation * (p.cb - kNeutralChroma), maths::square(p.radius),
+          maths::square((y - shade * p.y) / kBrightnessRadius)};
 }
 
-// Of the nearest of these prototypes, with its class: none beyond 1.
+// Those of the prototypes that may take a cell of that brightness: one prototype after the other
+// for each cell took half of a robot's time to its first command (toolchain/budget).
 template <class Prototypes>
-std::pair<double, ColourClass> nearestOf(const Prototypes& prototypes, Yuv c) {
-  std::pair<double, ColourClass> best{1.0, ColourClass::none};
+std::vector<Shaded> reaching(const Prototypes& prototypes, double y) {
+  std::vector<Shaded> near;
   for (const Prototype& p : prototypes) {
-    const double d = squaredDistance(p, c);
+    const Shaded shaded = shadedAt(p, y);
+    if (shaded.squaredDistance < 1.0) near.push_back(shaded);
+  }
+  return near;
+}
+
+// Of the nearest of these, with its class: none beyond 1, a prototype's rim.
+std::pair<double, ColourClass> nearestOf(const std::vector<Shaded>& prototypes, Yuv c) {
+  std::pair<double, ColourClass> best{1.0, ColourClass::none};
+  for (const Shaded& p : prototypes) {
+    const double squared = maths::square(c.cr - p.cr) + maths::square(c.cb - p.cb);
+    if (squared >= p.squaredRadius) continue;  // spares a robot most of the divisions
+    const double d = squared / p.squaredRadius + p.squaredDistance;
     if (d < best.first) best = {d, p.colour};
   }
   return best;
+}
+
+// Calls back with each brightness' first cell, and that brightness.
+template <class Each>
+void forEachBrightness(Each each) {
+  for (std::size_t cell = 0; cell < ColourTable::kCells; cell += kCellsOfABrightness)
+    each(cell, ColourTable::centreOf(cell).y);
+}
+
+// Calls back with the cells of a brightness that lie in the square round the prototype's rim.
+template <class Each>
+void forEachCellAround(const Shaded& p, std::size_t first, Each each) {
+  constexpr int kStep = 1 << (ColourTable::kByteBits - ColourTable::kBitsCr);
+  static_assert(ColourTable::kBitsCr == ColourTable::kBitsCb);
+  constexpr int kCount = 1 << ColourTable::kBitsCr;
+  const double radius = std::sqrt(p.squaredRadius);
+  const auto cellAt = [](double chroma) {
+    return maths::clamp(static_cast<int>(chroma) / kStep, 0, kCount - 1);
+  };
+  for (int cr = cellAt(p.cr - radius); cr <= cellAt(p.cr + radius); ++cr)
+    for (int cb = cellAt(p.cb - radius); cb <= cellAt(p.cb + radius); ++cb)
+      each(first + static_cast<std::size_t>(cr * kCount + cb));
 }
 
 }  // namespace
@@ -78,22 +113,29 @@ std::vector<Prototype> nominalPrototypes() {
 
 ColourTable buildColourTable(const std::vector<Prototype>& prototypes) {
   ColourTable table;
-  for (std::size_t cell = 0; cell < ColourTable::kCells; ++cell)
-    table.set(cell, nearestOf(prototypes, ColourTable::centreOf(cell)).second);
+  forEachBrightness([&](std::size_t first, double y) {
+    const std::vector<Shaded> near = reaching(prototypes, y);
+    for (std::size_t cell = first; cell < first + kCellsOfABrightness; ++cell)
+      table.set(cell, nearestOf(near, ColourTable::centreOf(cell)).second);
+  });
   return table;
 }
 
 ColourTable withGlare(const ColourTable& even) {
   ColourTable table = even;
-  for (std::size_t cell = 0; cell < ColourTable::kCells; ++cell) {
-    const ColourClass colour = even.at(cell);
-    if (colour != ColourClass::none && colour != ColourClass::white) continue;
-    const Yuv centre = ColourTable::centreOf(cell);
-    if (isFarFromGlare(centre)) continue;
-    const auto glare = nearestOf(kGlarePrototypes, centre);
-    if (glare.second == ColourClass::none) continue;
-    if (glare.first < nearestOf(kNominalPrototypes, centre).first) table.set(cell, glare.second);
-  }
+  forEachBrightness([&](std::size_t first, double y) {
+    const std::vector<Shaded> glare = reaching(kGlarePrototypes, y);
+    const std::vector<Shaded> nominal = reaching(kNominalPrototypes, y);
+    const auto brighten = [&](std::size_t cell) {
+      const ColourClass colour = even.at(cell);
+      if (colour != ColourClass::none && colour != ColourClass::white) return;
+      const Yuv centre = ColourTable::centreOf(cell);
+      const auto found = nearestOf(glare, centre);
+      if (found.second != ColourClass::none && found.first < nearestOf(nominal, centre).first)
+        table.set(cell, found.second);
+    };
+    for (const Shaded& p : glare) forEachCellAround(p, first, brighten);
+  });
   return table;
 }
 
