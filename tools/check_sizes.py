@@ -16,7 +16,7 @@ FUNCTION_START = re.compile(r"^(?!\s*(?:namespace|class|struct|enum|union|extern
 
 
 def tracked(*patterns):
-    return subprocess.run(["git", "ls-files", *patterns], cwd=ROOT, check=True,
+    return subprocess.run(["git", "ls-files", *patterns, ":!museum"], cwd=ROOT, check=True,
                           capture_output=True, text=True).stdout.split()
 
 
