@@ -33,6 +33,16 @@ def test_an_opponent_keeps_the_other_goal_and_is_not_logged(opponent, standing, 
                   standing).returncode == 0
 
 
+def test_the_opponent_is_kelpies_goalie_whatever_plays_against_it(tmp_path):
+    (tmp_path / "team").mkdir()
+    (tmp_path / "team/main.py").write_text(
+        STANDS.replace("    return", "    assert world.task.player == kelpie.FORWARD\n    return"))
+    for way in ([], ["--fast", "--percepts"]):
+        result = kelpie("play", "--opponent", "goalie", "--pycode", tmp_path / "team", "--seconds",
+                        "1", "--no-film", "--out", tmp_path / "out", *way)
+        assert result.returncode == 0 and "behaviour:" not in result.stderr, result.stderr
+
+
 def test_the_same_seed_with_an_opponent_is_the_same_match(standing, tmp_path):
     logs = []
     for name in ("a", "b"):

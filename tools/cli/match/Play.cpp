@@ -156,14 +156,14 @@ Status checkConfig(const SessionOptions& session) {
   return session.pycode.empty() ? Status(Done{}) : checkScripts(session.pycode);
 }
 
-// A keeper of the other team knows what it is by its parameters.
+// A keeper of the other team knows what it is by its parameters. It is Kelpie's own, whatever plays
+// against it: a team's main.py that knows no goalie would leave the goal.
 void addOpponent(PlayOptions& options) {
   if (options.opponent == "none") return;
   const PlayerKind kind =
       options.opponent == "goalie" ? PlayerKind::goalie : PlayerKind::goalie2004;
   OtherRobot keeper;
   keeper.team = options.session.team == "red" ? "blue" : "red";
-  keeper.pycode = options.session.pycode;
   keeper.set = {fmt::format("behaviour.task.player={}", static_cast<int>(kind))};
   keeper.seed = options.session.seed;
   options.session.others = {keeper};
