@@ -42,6 +42,7 @@ function(kelpie_install_rules)
 
   install(TARGETS kelpie-experiments RUNTIME COMPONENT dev)
   kelpie_install_data(dev examples/agent *.py *.cpp README.md)
+  kelpie_install_data(dev examples/exercises *.py)
   kelpie_install_data(dev tools/experiments *.py *.json *.toml)
   kelpie_install_data(dev tools/farm *.py README.md)
   kelpie_install_data(dev behaviour constants.py constants.toml)
