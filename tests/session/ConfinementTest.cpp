@@ -90,6 +90,14 @@ TEST_F(Confined, HasThreadsAndSomeMemory) {
   EXPECT_EQ(in([] { return errorOf(std::malloc(kMemory / 8) != nullptr); }), 0);
 }
 
+TEST_F(Confined, HasPipesToItself) {
+  EXPECT_EQ(in([] {
+              int ends[2];
+              return errorOf(pipe2(ends, O_CLOEXEC) == 0);
+            }),
+            0);
+}
+
 TEST_F(Confined, ReadsNoOtherFile) {
   expectFileRefused([] { return openError("/etc/passwd", O_RDONLY); });
 }
