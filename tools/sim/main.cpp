@@ -107,14 +107,17 @@ ServerHooks hooks(const Options& options, host::Listener& listener, const World&
   return hooks;
 }
 
+void tellEnd(const Status& log, TimeUs when) {
+  tellLine(fmt::format("{}{}{:.1f} s", log.error(), cli::kLogEndsMark, when.seconds()));
+}
+
 // A log that cannot be written any more is reported once, and the match goes on.
 void watchLog(const LogWriter& log, ServerHooks& hooks) {
   hooks.beforeStep = [&log, before = hooks.beforeStep, reported = false](TimeUs now) mutable {
     before(now);
     if (reported || log.status()) return;
     reported = true;
-    fmt::print("{}{}{:.1f} s\n", log.status().error(), cli::kLogEndsMark, now.seconds());
-    std::fflush(stdout);
+    tellEnd(log.status(), now);
   };
 }
 
@@ -170,7 +173,7 @@ Status play(const Options& options) {
   if (!played) return played;
   if (log && log->status()) {
     const Status closed = log->close();
-    if (!closed) return closed;
+    if (!closed) tellEnd(closed, world.time());  // as if it had been full in the last step
   }
   std::ofstream result;
   const Status opened = openResult(options, result);
