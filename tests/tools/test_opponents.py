@@ -80,6 +80,7 @@ def test_an_opponent_that_dies_ends_the_match_with_one_line_that_names_it(standi
 
 @pytest.mark.parametrize("words, reported", [
     (["--opponent", "keeper"], "keeper"),
+    (["--opponent", "goalie", "--red", "teams/kelpie"], "--opponent"),
     (["--place", "red:1:180"], "TEAM:PLAYER:X,Y,DEG"),
     (["--place", "red:1:400,100,0"], "red 1 at (400, 100) is off the field"),
     (["--place", "blue:1:180,100,0"], "no blue 1 is there"),

@@ -402,8 +402,11 @@ void addTeamOptions(CommandLine& command, PlayOptions& options) {
       .excludes("--scenario");
   addRulesOption(command, options.rules);
   command.option("--red", options.red, "The red team's folder: main.py, team.toml or both")
-      .check(existingFolder());
-  command.option("--blue", options.blue, "The blue team's folder").check(existingFolder());
+      .check(existingFolder())
+      .excludes("--opponent");
+  command.option("--blue", options.blue, "The blue team's folder")
+      .check(existingFolder())
+      .excludes("--opponent");
   command.flag("--trust", session.trust,
                "Scripts that did not come with Kelpie may do all that the user may: without it "
                "they read their own folder and nothing else (docs/behaviours.md)");
