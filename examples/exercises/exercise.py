@@ -3,8 +3,13 @@
 `python3 NAME/check.py` checks NAME/start.py, `python3 NAME/check.py FILE` another file."""
 
 import importlib.util
+import math
+import signal
 import sys
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
+
+LIMIT_S = 120
 
 
 def checked(check):
@@ -13,11 +18,16 @@ def checked(check):
     if not path.is_file():
         sys.exit(f"{path}: no such file")
     sys.dont_write_bytecode = True
-    spec = importlib.util.spec_from_file_location("checked", path)
+    sys.path.insert(0, str(path.resolve().parent))
+    signal.signal(signal.SIGALRM, lambda *_: sys.exit(f"{path}: not done after {LIMIT_S} s"))
+    signal.alarm(LIMIT_S)
+    spec = importlib.util.spec_from_loader("checked", SourceFileLoader("checked", str(path)))
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
 
 
 def report(what, figure):
+    if not math.isfinite(figure):
+        sys.exit(f"{what}: {figure}, which is no figure")
     print(f"{what}: {figure:.2f}")

@@ -145,6 +145,38 @@ TEST_F(Confined, SignalsNobody) {
   EXPECT_EQ(in([] { return errorOf(kill(getppid(), 0) == 0); }), EPERM);
 }
 
+TEST_F(Confined, HasNobodySignalledByADescriptor) {
+  EXPECT_EQ(in([] {
+              int ends[2];
+              if (pipe2(ends, O_CLOEXEC) != 0) return -1;
+              return errorOf(fcntl(ends[0], F_SETOWN, getppid()) == 0);
+            }),
+            EPERM);
+  EXPECT_EQ(in([] {
+              int ends[2];
+              if (pipe2(ends, O_CLOEXEC) != 0) return -1;
+              return errorOf(fcntl(ends[0], F_SETFL, O_ASYNC) == 0);
+            }),
+            EPERM);
+}
+
+TEST_F(Confined, OpensNotEverMoreDescriptors) {
+  EXPECT_EQ(in([] {
+              int ends[2];
+              while (pipe2(ends, O_CLOEXEC) == 0) {
+              }
+              return errno;
+            }),
+            EMFILE);
+}
+
+TEST_F(Confined, LengthensNoFileThatItWasGiven) {
+  const int log = open((folder_ + "/log").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  EXPECT_EQ(in([log] { return errorOf(write(log, "text", 4) == 4); }), 0);
+  EXPECT_EQ(in([log] { return errorOf(ftruncate(log, 1LL << 40) == 0); }), EPERM);
+  close(log);
+}
+
 TEST_F(Confined, WatchesNobody) {
   EXPECT_EQ(in([] { return errorOf(ptrace(PTRACE_ATTACH, getppid(), 0, 0) == 0); }), EPERM);
 }

@@ -71,7 +71,6 @@ constexpr const char* kAllowed[] = {"read",
                                     "readv",
                                     "writev",
                                     "pread64",
-                                    "pwrite64",
                                     "lseek",
                                     "close",
                                     "fstat",
@@ -86,10 +85,6 @@ constexpr const char* kAllowed[] = {"read",
                                     "readlink",
                                     "readlinkat",
                                     "getcwd",
-                                    "fcntl",
-                                    "fsync",
-                                    "fdatasync",
-                                    "ftruncate",
                                     "poll",
                                     "ppoll",
                                     "select",
@@ -164,8 +159,10 @@ struct Rules {
     if (number != __NR_SCMP_ERROR)
       keep(seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, number, 0, nullptr));
   }
-  void allowWhere(int number, const scmp_arg_cmp& condition) {
-    keep(seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, number, 1, &condition));
+  template <class... Conditions>
+  void allowWhere(int number, const Conditions&... conditions) {
+    keep(seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, number, sizeof...(conditions),
+                          conditions...));
   }
 };
 
@@ -178,7 +175,12 @@ void allowInPart(Rules& rules) {
   rules.allowWhere(SCMP_SYS(openat), SCMP_A2(SCMP_CMP_MASKED_EQ, kWrites, O_RDONLY));
   rules.allowWhere(SCMP_SYS(clone), SCMP_A0(SCMP_CMP_MASKED_EQ, kThread, kThread));
   rules.allowWhere(SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid())));
-  rules.allowWhere(SCMP_SYS(prlimit64), SCMP_A2(SCMP_CMP_EQ, 0));
+  rules.allowWhere(SCMP_SYS(prlimit64), SCMP_A0(SCMP_CMP_EQ, 0), SCMP_A2(SCMP_CMP_EQ, 0));
+  // With an owner and O_ASYNC a descriptor would send signals to anybody.
+  for (const int command : {F_GETFD, F_SETFD, F_GETFL, F_DUPFD_CLOEXEC})
+    rules.allowWhere(SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
+  rules.allowWhere(SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, F_SETFL),
+                   SCMP_A2(SCMP_CMP_MASKED_EQ, O_ASYNC, 0));
 }
 
 Status keepFromCalls() {
