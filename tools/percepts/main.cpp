@@ -149,6 +149,7 @@ struct Trouble {
 Status confineIfAsked(const Options& options, const std::vector<Player>& players) {
   if (!options.confined) return Done{};
   std::vector<std::string> scripts;
+  scripts.reserve(players.size());
   for (const Player& player : players) scripts.push_back(player.scripts);
   const auto lack = cli::confineScripts(scripts);
   if (!lack) return Error{lack.error()};

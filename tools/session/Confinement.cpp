@@ -13,6 +13,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <initializer_list>
 #include <memory>
 
 namespace kelpie::cli {
@@ -159,28 +160,32 @@ struct Rules {
     if (number != __NR_SCMP_ERROR)
       keep(seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, number, 0, nullptr));
   }
-  template <class... Conditions>
-  void allowWhere(int number, const Conditions&... conditions) {
-    keep(seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, number, sizeof...(conditions),
-                          conditions...));
+  void allowWhere(int number, std::initializer_list<scmp_arg_cmp> conditions) {
+    keep(seccomp_rule_add_array(filter.get(), SCMP_ACT_ALLOW, number,
+                                static_cast<unsigned>(conditions.size()), conditions.begin()));
   }
 };
 
-// Only with such arguments: files to read, threads but no processes, signals to nobody else, limits
-// to be told of.
+scmp_arg_cmp equals(unsigned argument, scmp_datum_t value) {
+  return {argument, SCMP_CMP_EQ, value, 0};
+}
+scmp_arg_cmp hasBits(unsigned argument, scmp_datum_t mask, scmp_datum_t value) {
+  return {argument, SCMP_CMP_MASKED_EQ, mask, value};
+}
+
+// Only with such arguments: files to read, threads but no processes, signals to nobody else, its
+// own limits to be told of, descriptors whose owner gets no signal (O_ASYNC).
 void allowInPart(Rules& rules) {
   constexpr scmp_datum_t kWrites = O_ACCMODE | O_CREAT | O_TRUNC;
   constexpr scmp_datum_t kThread = CLONE_VM | CLONE_THREAD;
-  rules.allowWhere(SCMP_SYS(open), SCMP_A1(SCMP_CMP_MASKED_EQ, kWrites, O_RDONLY));
-  rules.allowWhere(SCMP_SYS(openat), SCMP_A2(SCMP_CMP_MASKED_EQ, kWrites, O_RDONLY));
-  rules.allowWhere(SCMP_SYS(clone), SCMP_A0(SCMP_CMP_MASKED_EQ, kThread, kThread));
-  rules.allowWhere(SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid())));
-  rules.allowWhere(SCMP_SYS(prlimit64), SCMP_A0(SCMP_CMP_EQ, 0), SCMP_A2(SCMP_CMP_EQ, 0));
-  // With an owner and O_ASYNC a descriptor would send signals to anybody.
+  rules.allowWhere(SCMP_SYS(open), {hasBits(1, kWrites, O_RDONLY)});
+  rules.allowWhere(SCMP_SYS(openat), {hasBits(2, kWrites, O_RDONLY)});
+  rules.allowWhere(SCMP_SYS(clone), {hasBits(0, kThread, kThread)});
+  rules.allowWhere(SCMP_SYS(tgkill), {equals(0, static_cast<scmp_datum_t>(getpid()))});
+  rules.allowWhere(SCMP_SYS(prlimit64), {equals(0, 0), equals(2, 0)});
   for (const int command : {F_GETFD, F_SETFD, F_GETFL, F_DUPFD_CLOEXEC})
-    rules.allowWhere(SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
-  rules.allowWhere(SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, F_SETFL),
-                   SCMP_A2(SCMP_CMP_MASKED_EQ, O_ASYNC, 0));
+    rules.allowWhere(SCMP_SYS(fcntl), {equals(1, static_cast<scmp_datum_t>(command))});
+  rules.allowWhere(SCMP_SYS(fcntl), {equals(1, F_SETFL), hasBits(2, O_ASYNC, 0)});
 }
 
 Status keepFromCalls() {
