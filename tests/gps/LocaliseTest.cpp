@@ -210,7 +210,7 @@ TEST(Localise, BrokenInputLeavesAFiniteWideEstimateAndIsCounted) {
   LandmarkPercept p = robot.look({LandmarkKind::goalBlue, {180, 540}});
   p.headingVariance = kInf;
   robot.percepts.landmarks.push_back(p);
-  robot.percepts.ball = {true, kNan, {}, {}, 1.0, 1.0, {}, 0.0};
+  robot.percepts.ball = {true, kNan, {}, {}, 1.0, 1.0, {}, {}, 0.0};
   const WorldModel world = robot.step();
   EXPECT_TRUE(std::isfinite(world.pose.position.x));
   EXPECT_GT(world.positionSd, 100.0);
