@@ -143,14 +143,13 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state,
                   LandmarkUpdate update) {
   for (Measurement m : measurements(in, params, state.counts)) {
     scaleBy(state.pose.noiseScale, m);
-    m = displaced(m, params.landmarkOffsets, state.pose.offsets);
+    const Measurement seen = displaced(m, params.landmarkOffsets, state.pose.offsets);
     if (state.pose.lost) {
-      seedAround(m, params.field, params.modes, state.pose, state.counts);
+      seedAround(seen, params.field, params.modes, state.pose, state.counts);
     } else {
-      const Measurement moved = m;
-      m = doubted(m, state.pose.offsets);
+      m = doubted(seen, state.pose.offsets);
       noteSighting(in, m, params, state.pose);
-      learnOffset(state.pose.modes[0], moved, params.landmarkOffsets, state.pose.offsets,
+      learnOffset(state.pose.modes[0], seen, params.landmarkOffsets, state.pose.offsets,
                   state.counts);
       cross(m, params.field, params.crossing, params.modes, state.pose);
       update(m, params.field, params.modes, state.pose, state.counts);

@@ -24,7 +24,8 @@ void setCovariance(LandmarkOffset& offset, const Matrix2& matrix) {
   offset.yy = matrix(1, 1);
 }
 
-LandmarkOffset& of(LandmarkKind kind, LandmarkOffsets& offsets) {
+template <class Offsets>
+auto& of(LandmarkKind kind, Offsets& offsets) {
   return offsets.landmarks[static_cast<std::size_t>(kind)];
 }
 
@@ -73,14 +74,14 @@ Measurement displaced(const Measurement& seen, const LandmarkOffsetParams& param
                       const LandmarkOffsets& offsets) {
   Measurement m = seen;
   if (!params.use) return m;
-  const LandmarkOffset& offset = offsets.landmarks[static_cast<std::size_t>(seen.kind)];
+  const LandmarkOffset& offset = of(seen.kind, offsets);
   m.landmark = seen.landmark + Point2<Field>{offset.x, offset.y};
   return m;
 }
 
 Measurement doubted(const Measurement& seen, const LandmarkOffsets& offsets) {
   Measurement m = seen;
-  const LandmarkOffset& offset = offsets.landmarks[static_cast<std::size_t>(seen.kind)];
+  const LandmarkOffset& offset = of(seen.kind, offsets);
   const double variance = 0.5 * (offset.xx + offset.yy);
   const double turned = variance / maths::square(std::max(seen.distance, kNearest));
   m.distanceVariance += variance;

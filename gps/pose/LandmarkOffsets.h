@@ -14,7 +14,7 @@ namespace kelpie::gps {
 struct LandmarkOffsetParams {
   bool use = true;
   double sd = 2.0;      // cm, of each axis at the start, and most
-  double drift = 1.0;   // cm that come to it with each second's square root
+  double drift = 1.0;   // cm a root second of noise, with a pull to the map that keeps sd
   double maxSd = 15.0;  // cm, of the best mode; a wider one tells nothing of landmarks
   double gate = 3.0;    // standard deviations; a sighting farther off is another mode's, or false
   double max = 40.0;    // cm, of an offset

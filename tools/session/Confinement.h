@@ -15,9 +15,9 @@ namespace kelpie::cli {
 
 struct Confinement {
   std::vector<std::string> readable;                 // files and folders that may still be read
-  std::uint64_t memory = std::uint64_t{2} << 30;     // bytes of addresses; eight robots have 0.4 GB
-  std::uint64_t fileSize = std::uint64_t{16} << 30;  // bytes; an hour of all images has 8 GB
-  std::uint64_t descriptors = 64;                    // open at a time; eight robots have 20
+  std::uint64_t memory = std::uint64_t{2} << 30;     // bytes of addresses
+  std::uint64_t fileSize = std::uint64_t{16} << 30;  // bytes; ten minutes of images are 1.3 GB
+  std::uint64_t descriptors = 64;                    // open at a time
   std::uint64_t seconds = 4 * 3600;  // of processor time; the longest match has an hour
 };
 

@@ -163,6 +163,19 @@ bool isConfined(const SessionOptions& options, const std::string& scripts) {
   return error || place.empty() || *place.begin() == "..";
 }
 
+namespace {
+
+// `robot`: the session itself for the one that is watched, or an OtherRobot.
+template <class Robot>
+void addBehaviours(const SessionOptions& options, const Robot& robot, Words& argv) {
+  addUnlessEmpty("--pycode", robot.pycode, argv);
+  if (isConfined(options, robot.pycode)) argv.push_back("--confined");
+  addEach("--params", robot.params, argv);
+  addEach("--set", robot.set, argv);
+}
+
+}  // namespace
+
 Words agentCommand(const SessionOptions& options, const RunDirectory& runDirectory, int life) {
   Words argv = anyAgent(options, options.team, options.seed, runDirectory, life);
   argv.insert(argv.end(), {"--player", std::to_string(options.player), "--status"});
@@ -175,10 +188,7 @@ Words agentCommand(const SessionOptions& options, const RunDirectory& runDirecto
     argv.push_back("--planes");
   else if (options.images == ImagesKept::all)
     argv.push_back("--all-images");
-  addUnlessEmpty("--pycode", options.pycode, argv);
-  if (isConfined(options, options.pycode)) argv.push_back("--confined");
-  addEach("--params", options.params, argv);
-  addEach("--set", options.set, argv);
+  addBehaviours(options, options, argv);
   addUnlessEmpty("--driver", options.driver, argv);
   return argv;
 }
@@ -191,10 +201,7 @@ Words otherCommand(const SessionOptions& options, const OtherRobot& robot,
     argv.insert(argv.end(), {options.keepAll ? "--no-images" : "--planes", "--log",
                              otherLog(options, runDirectory, robot, life)});
   if (options.live) argv.push_back("--plain-log");
-  addUnlessEmpty("--pycode", robot.pycode, argv);
-  if (isConfined(options, robot.pycode)) argv.push_back("--confined");
-  addEach("--params", robot.params, argv);
-  addEach("--set", robot.set, argv);
+  addBehaviours(options, robot, argv);
   return argv;
 }
 

@@ -59,8 +59,7 @@ Shaded shadedAt(const Prototype& p, double y) {
           maths::square((y - shade * p.y) / kBrightnessRadius)};
 }
 
-// Those of the prototypes that may take a cell of that brightness: one prototype after the other
-// for each cell took half of a robot's time to its first command (toolchain/budget).
+// Those of the prototypes that may take a cell of that brightness.
 template <class Prototypes>
 std::vector<Shaded> reaching(const Prototypes& prototypes, double y) {
   std::vector<Shaded> near;

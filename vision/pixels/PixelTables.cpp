@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/pixels/PixelTables.h"
 
-#include <utility>
-
 #include "robot/core/Maths.h"
 #include "vision/colour/ColourBuilder.h"
 
