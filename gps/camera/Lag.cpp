@@ -33,7 +33,7 @@ void add(const LagSample& sample, const Measurement& seen, LagReference& mean) {
 }  // namespace
 
 ImageLag startingLag(const LagParams& params) {
-  return {0.0, maths::square(params.use ? params.initialSd : kKnownSd)};
+  return {params.initial, maths::square(params.use ? params.initialSd : kKnownSd)};
 }
 
 double panRate(const FrameInput& input) {

@@ -16,7 +16,7 @@
 
 namespace kelpie::gps {
 
-// Nothing is known but how much cameras differ.
+// What was calibrated; else nothing is known but how much cameras differ.
 ImageLag startingLag(const LagParams& params);
 
 // How fast the head turns about the vertical, rad/s.

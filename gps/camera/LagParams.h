@@ -9,6 +9,7 @@ namespace kelpie::gps {
 
 struct LagParams {
   bool use = true;              // otherwise images are as old as their stamps say
+  double initial = 0.0;         // s, of this robot (`kelpie calibrate time`)
   double initialSd = 0.04;      // s, somewhat more than a frame
   double min = -0.08;           // s; joints are older than images by two frames and a half
   double max = 0.13;            // s, images by nearly four
@@ -19,7 +20,8 @@ struct LagParams {
   template <int = 0>
   static constexpr auto fields() {
     using P = LagParams;
-    return fieldList(field("use", &P::use), field("initialSd", &P::initialSd, "s", 1e-4, 1),
+    return fieldList(field("use", &P::use), field("initial", &P::initial, "s", -0.1, 0.2),
+                     field("initialSd", &P::initialSd, "s", 1e-4, 1),
                      field("min", &P::min, "s", -0.1, 0), field("max", &P::max, "s", 0, 0.2),
                      field("minRateChange", &P::minRateChange, "rad/s", 0.1, 10),
                      field("maxPairSeconds", &P::maxPairSeconds, "s", 0, 10),

@@ -11,8 +11,7 @@ namespace fs = std::filesystem;
 
 Status readFolder(const std::string& folder, OtherRobot& robot) {
   if (folder.empty()) return Done{};
-  const bool zipped = fs::is_regular_file(folder);
-  const bool scripts = zipped || fs::exists(folder + "/main.py");
+  const bool scripts = fs::exists(folder + "/main.py");
   const bool params = fs::exists(folder + "/team.toml");
   if (!scripts && !params) return Error{"'" + folder + "': holds neither main.py nor team.toml"};
   if (scripts) robot.pycode = folder;

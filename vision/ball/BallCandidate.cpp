@@ -94,6 +94,16 @@ BallCandidate ballFromFoot(const Scene& scene, const Blob& blob) {
   return c;
 }
 
+// From r, measured, to r': r = r' + edgeBias - blur^2 / (2 r').
+BallCandidate unbiased(BallCandidate c, const BallFinderParams& p) {
+  constexpr double kMinRadius = 0.5;  // px
+  if (!c.cone.valid) return c;
+  const double half = 0.5 * (c.cone.radius - p.edgeBias);
+  const double radius = half + std::sqrt(half * half + 0.5 * maths::square(p.blur));
+  c.range *= c.cone.radius / std::max(radius, kMinRadius);
+  return c;
+}
+
 double ballHeightError(const Scene& scene, const BallCandidate& c) {
   constexpr double kHeight = 2.0;      // cm, at any range
   constexpr double kDirection = 0.03;  // rad, of the camera: 1.7 deg

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "vision/Scene.h"
+#include "vision/ball/BallFinderParams.h"
 #include "vision/ball/ConeFit.h"
 
 namespace kelpie::vision {
@@ -21,6 +22,9 @@ struct BallCandidate {
 BallCandidate ballFromMiddle(const Scene& scene, const Blob& blob);
 // A ball as large as one that stands where the patch ends below.
 BallCandidate ballFromFoot(const Scene& scene, const Blob& blob);
+
+// The same at the range that its outline tells without what this camera adds to a radius.
+BallCandidate unbiased(BallCandidate c, const BallFinderParams& p);
 
 // The height of its centre above that of a ball that lies on the ground, in tolerances: the error
 // of the camera's direction and of its size.

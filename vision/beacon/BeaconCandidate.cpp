@@ -107,16 +107,18 @@ void forgetMergedEnds(BeaconCandidate& c, const BeaconFinderParams& p) {
 }
 
 // Two of the ends of the coloured bands (40, 30 and 20 cm) that lie inside the image, as far apart
-// as possible.
-double measureDistance(const Scene& scene, const BeaconCandidate& c) {
+// as possible. The border between two colours has no bias.
+double measureDistance(const Scene& scene, const BeaconFinderParams& p, const BeaconCandidate& c) {
   constexpr double kMinSlope = 1e-4;  // between the ends
   constexpr double kTooFar = 1e6;     // cm
   const CameraPose& camera = scene.body.camera;
   const double high = groundRayThrough(camera, c.topCut ? c.middle : c.top).slope;
   const double low = groundRayThrough(camera, c.bottomCut ? c.middle : c.bottom).slope;
   const double height = (c.topCut || c.bottomCut ? 1.0 : 2.0) * bandHeight(scene);
+  const double ends = (c.topCut ? 0.0 : 0.5) + (c.bottomCut ? 0.0 : 0.5);
+  const double slopes = high - low - ends * p.edgeBias / camera.lens.focalLength;
   // The front of the bands is measured, the percept is the axis.
-  return high - low > kMinSlope ? height / (high - low) + scene.field.beaconRadius : kTooFar;
+  return slopes > kMinSlope ? height / slopes + scene.field.beaconRadius : kTooFar;
 }
 
 }  // namespace
@@ -188,7 +190,7 @@ void measure(const Scene& scene, const BeaconFinderParams& p, BeaconCandidate& c
   if (c.partner == ColourClass::none) return;
   forgetMergedEnds(c, p);
   measureWidth(scene, c);
-  c.distance = measureDistance(scene, c);
+  c.distance = measureDistance(scene, p, c);
 }
 
 }  // namespace kelpie::vision

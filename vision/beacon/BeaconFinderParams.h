@@ -16,6 +16,7 @@ struct BeaconFinderParams {
   double maxDistance = 500;                // beyond, two pixels of clothes pass for a band
   double maxLogOddsAgainst = -0.2;         // of the candidate's facts (BeaconCurves.h)
   double edgeSd = 0.35;                    // px, of each band edge
+  double edgeBias = 0.0;  // px of this camera, by which a whole height is measured too large
   Angle headingSd = Angle::deg(0.7);
 
   template <int = 0>
@@ -29,6 +30,7 @@ struct BeaconFinderParams {
                      field("maxDistance", &P::maxDistance, "cm", 50, 1000),
                      field("maxLogOddsAgainst", &P::maxLogOddsAgainst, "", -50, 50),
                      field("edgeSd", &P::edgeSd, "px", 0.01, 5),
+                     field("edgeBias", &P::edgeBias, "px", -5, 5),
                      field("headingSd", &P::headingSd, "rad", 0.01, 20));
   }
 };

@@ -91,7 +91,8 @@ void measureDistance(const Scene& scene, const GoalFinderParams& p, const GoalCa
   const CameraPose& camera = scene.body.camera;
   const auto [low, high] = at;
   if (!column.topCut) {
-    const double d = scene.field.goalHeight / std::max(high - low, kMinSlopes);
+    const double height = high - low - p.edgeBias / camera.lens.focalLength;
+    const double d = scene.field.goalHeight / std::max(height, kMinSlopes);
     column.distance = d;
     column.sd = sizeSd(camera, d, scene.field.goalHeight, p.edgeSd);
     column.footError = maths::atan(low) - maths::atan(-camera.position.z / d);

@@ -32,6 +32,7 @@ struct GoalFinderParams {
   Angle maxTurn = Angle::deg(80);     // of the mouth from square to the line of sight
   double maxLateralOffset = 450;      // cm from the goal's axis: half the field, and a turn's error
   double edgeSd = 0.5;                // px, of the upper and of the lower edge
+  double edgeBias = 0.0;              // px of this camera, by which a height is measured too large
   Angle directionSd = Angle::deg(1);  // camera against ground, while walking
   Angle headingSd = Angle::deg(1);
 
@@ -62,6 +63,7 @@ struct GoalFinderParams {
         field("maxTurn", &GoalFinderParams::maxTurn, "rad", 0, 90),
         field("maxLateralOffset", &GoalFinderParams::maxLateralOffset, "cm", 0, 2000),
         field("edgeSd", &GoalFinderParams::edgeSd, "px", 0.01, 5),
+        field("edgeBias", &GoalFinderParams::edgeBias, "px", -5, 5),
         field("directionSd", &GoalFinderParams::directionSd, "rad", 0.05, 20),
         field("headingSd", &GoalFinderParams::headingSd, "rad", 0.01, 20));
   }

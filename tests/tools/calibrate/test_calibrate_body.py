@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """kelpie calibrate body: a robot's lens, neck and lean from a log, or its lens from sizes."""
 
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -66,7 +67,13 @@ def test_measured_sizes_tell_the_focal_length_of_2005(tmp_path):
     focal = [line for line in lines if line.startswith("lens.focalLength")][0]
     value, sd = float(focal.split()[1]), float(focal.split()[3])
     assert abs(value - 201.5) < sd < 4.0
-    assert "[body.lens]\nfocalLength = \"20" in params.read_text()
+    written = tomllib.loads(params.read_text())
+    assert written["body"]["lens"]["focalLength"].startswith("20")
+    assert set(written["vision"]) == {"ball", "beacon", "goal"}
+    beacon = [line for line in lines if line.startswith("beacon")][0]
+    assert f"edge {float(written['vision']['beacon']['edgeBias'][:-2]):5.2f} px" in beacon
+    assert kelpie("play", "--seconds", "1", "--no-film", "--params", params, "--out",
+                  tmp_path / "out").returncode == 0
     result = kelpie("calibrate", "body", SIZES, "--picture", tmp_path / "p.png")
     assert result.returncode == 2 and "--picture: only for a log" in complaint(result)
 

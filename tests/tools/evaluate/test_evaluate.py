@@ -24,6 +24,12 @@ def test_an_option_that_an_experiment_does_not_use_is_refused(words, refused, kn
     assert known in complaint(result)
 
 
+def test_list_with_a_name_lists_that_one_and_refuses_one_that_is_not_there():
+    lines = kelpie("evaluate", "--list", "spoilt").stdout.splitlines()
+    assert [line.split()[0] for line in lines] == ["spoilt", "--trials"]
+    assert "no experiment 'nosuch'" in complaint(kelpie("evaluate", "--list", "nosuch"))
+
+
 def test_help_lists_the_experiments_by_name_one_line_each():
     text = kelpie("evaluate", "--help").stdout
     lines = text[text.index("Experiments:"):].splitlines()[1:]

@@ -133,8 +133,14 @@ def test_an_agent_that_dies_is_started_again_when_asked_for(tmp_path, program):
     assert "agent red 1: its program ended with code 7; it is started again" in result.stderr
 
 
+@pytest.mark.parametrize("name", ["no-such-program --fast", "./no/such.py"])
+def test_a_program_that_is_not_there_is_refused_before_the_match(tmp_path, name):
+    said = complaint(play(tmp_path / "out", "--red-agent", name))
+    assert said.endswith(f"--red-agent: no program {name.split()[0]}")
+
+
 def test_a_program_that_cannot_run_is_told_with_its_code(tmp_path):
-    result = play(tmp_path / "out", "--red-agent", "no-such-program", wait=1)
+    result = play(tmp_path / "out", "--red-agent", "exit 127", wait=1)
     assert result.returncode == 0, result.stderr
     lines = [line for line in result.stderr.splitlines() if line.startswith("agent red 1: ")]
     assert lines == ["agent red 1: its program ended with code 127",

@@ -32,6 +32,13 @@ PAGES = {
     "no line": ("<!-- in a.py for x -->\n```\ny\n```\n", ":1: 'x' stands in 0 lines of a.py"),
     "comment": ("<!-- play -->\n", ":1: no comment of tools/tutorial"),
     "nothing": ("# A page\n", ":1: nothing to do"),
+    "no name": ("<!-- file -->\n```\nx\n```\n", ":1: 'file' with ''"),
+    "no place": ("<!-- in a.py -->\n```\nx\n```\n", ":1: 'in' with 'a.py'"),
+    "no target": ("<!-- picture a.png -->\n", ":1: 'picture' with 'a.png'"),
+    "out": ("<!-- file ../a.py -->\n```\nx\n```\n", ":1: ../a.py leads out of the folder"),
+    "root": ("<!-- in /a.py for x -->\n```\nx\n```\n", ":1: /a.py leads out of the folder"),
+    "empty": ("<!-- run -->\n```\n```\n", ":1: the block is empty"),
+    "hears": ("<!-- run -->\n```\n$ read x\n```\n", ":3: exit code 1: nothing printed"),
     "picture": ("<!-- picture a.png docs/a.png -->\n", ":1: no picture a.png"),
 }
 

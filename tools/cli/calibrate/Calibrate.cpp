@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "tools/cli/Commands.h"
@@ -35,11 +36,33 @@ Status checkTarget(const std::string& out, const std::string& input) {
   return Done{};
 }
 
+Status checkParameterFile(const std::string& out, const std::string& input) {
+  if (out.empty() || out == "-") return Done{};
+  const Status target = checkTarget(out, input);
+  if (!target) return target;
+  if (!canWrite(out)) return Error{out + ": cannot be written"};
+  return Done{};
+}
+
+Status writeParameterFile(const std::string& out, const std::string& text) {
+  if (out.empty()) return Done{};
+  if (!writeWhole(out, text)) return Error{out + ": cannot be written"};
+  if (out != "-") fmt::print("{}: parameters, for --params\n", out);
+  return Done{};
+}
+
+std::string inOneLine(std::string text) {
+  const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  std::replace_if(text.begin(), text.end(), isControl, '?');
+  return text;
+}
+
 void addCalibrate(CommandLine& app, int& code) {
   auto command = app.subcommand(
       "calibrate", "Make the tables of a robot's camera and a venue's light, learn walks, motions");
   command.requireSubcommand();
   addCalibrateBody(command, code);
+  addCalibrateTime(command, code);
   addCalibrateInfrared(command, code);
   addCalibrateRing(command, code);
   addCalibrateColour(command, code);

@@ -18,10 +18,18 @@ void addCalibrateMotion(CommandLine& command, int& code);
 void addCalibrateRing(CommandLine& command, int& code);
 void addCalibrateColour(CommandLine& command, int& code);
 void addCalibrateShift(CommandLine& command, int& code);
+void addCalibrateTime(CommandLine& command, int& code);
 void addCalibrateWalk(CommandLine& command, int& code);
 
 // Whether `out` may be written: a plain file or none yet, and not the very input.
 Status checkTarget(const std::string& out, const std::string& input);
+
+// A file of parameters, for --params; `out` empty: none, "-": standard output, which then gets
+// nothing else.
+Status checkParameterFile(const std::string& out, const std::string& input);
+Status writeParameterFile(const std::string& out, const std::string& text);
+// For its comment: a name of a file may hold a line break.
+std::string inOneLine(std::string text);
 
 // Which robot's shift is folded into a ring table; none when `samples` is empty.
 struct ShiftChoice {

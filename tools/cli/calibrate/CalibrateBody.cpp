@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -14,6 +13,7 @@
 #include "tools/cli/WholeFile.h"
 #include "tools/cli/calibrate/Calibrate.h"
 #include "tools/picture/FileNames.h"
+#include "vision/VisionParams.h"
 
 namespace kelpie::cli {
 namespace {
@@ -36,7 +36,8 @@ the body's tilt as well, which turns the camera in the same way. The play of the
 shutter's read-out are seen in a moving head only and stay as they are.
 
 A folder of measured sizes (ball_radius.csv, beacon_height_lab.csv, goal_height.csv) tells the focal
-length alone.
+length, and what the camera adds to the size of each object (edgeBias, blur), which vision then
+takes away again.
 
   kelpie play --pycode tools/calibrate/looking --seconds 22 --images all --no-film
   kelpie calibrate body out/match.mcap --out robot3.toml --picture residuals.png
@@ -67,10 +68,27 @@ std::string parameterFile(const std::vector<Estimated>& unknowns, const std::str
     if (ofLens) name.erase(0, kLens.size());
     (ofLens ? lens : body) += fmt::format("{} = {}  # sd {:.2g}\n", name, valueFor(one), one.sd);
   }
-  std::string line = heading;  // a name of a file may hold a line break
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return "# " + line + "\n" + body + (lens.empty() ? "" : "\n[body.lens]\n" + lens);
+  return "# " + inOneLine(heading) + "\n" + body + (lens.empty() ? "" : "\n[body.lens]\n" + lens);
+}
+
+// What this camera adds to the sizes that vision measures, as vision's parameters.
+std::string biasesOf(const calibrate::SizeFit& fit) {
+  const auto [ball, beacon, goal] = fit.optics;
+  return fmt::format("\n[vision.ball]\nedgeBias = \"{:.3f}px\"\nblur = \"{:.3f}px\"\n", ball.edge,
+                     ball.blur) +
+         fmt::format("\n[vision.beacon]\nedgeBias = \"{:.3f}px\"\n", beacon.edge) +
+         fmt::format("\n[vision.goal]\nedgeBias = \"{:.3f}px\"\n", goal.edge);
+}
+
+Status checkBiases(const calibrate::SizeFit& fit) {
+  const auto vision = std::make_unique<vision::VisionParams>();
+  vision->ball.edgeBias = fit.optics[0].edge;
+  vision->ball.blur = fit.optics[0].blur;
+  vision->beacon.edgeBias = fit.optics[1].edge;
+  vision->goal.edgeBias = fit.optics[2].edge;
+  std::string why;
+  if (verify(*vision, &why)) return Done{};
+  return Error{"what fits best is no camera's: " + why};
 }
 
 // What a file of parameters may hold (BodyParams::fields): a fit beyond it is no robot's.
@@ -115,11 +133,8 @@ void tell(const BodyEstimate& e) {
 }
 
 int write(const BodyOptions& options, const std::string& text) {
-  if (options.out.empty()) return kExitDone;
-  if (!writeWhole(options.out, text))
-    return fail(options.out + ": cannot be written", kExitBadInput);
-  if (options.out != "-") fmt::print("{}: parameters, for --params\n", options.out);
-  return kExitDone;
+  const Status written = writeParameterFile(options.out, text);
+  return written ? kExitDone : fail(written.error(), kExitBadInput);
 }
 
 int fromLog(const BodyOptions& options) {
@@ -150,17 +165,20 @@ int fromSizes(const BodyOptions& options) {
   constexpr std::array<const char*, calibrate::kSizedObjects> kNames = {"ball", "beacon", "goal"};
   const bool quiet = options.out == "-";  // the file is all that standard output gets
   for (std::size_t i = 0; i < calibrate::kSizedObjects && !quiet; ++i)
-    fmt::print("{:<6} {:3} measured, edge {:5.2f} px, error of distance {:.1f} -> {:.1f} cm\n",
-               kNames[i], fit->measured[i], fit->optics[i].edge, fit->before[i].rms,
-               fit->after[i].rms);
+    fmt::print(
+        "{:<6} {:3} measured, edge {:5.2f} px, blur {:.2f} px, error of distance {:.1f} -> {:.1f} "
+        "cm\n",
+        kNames[i], fit->measured[i], fit->optics[i].edge, fit->optics[i].blur, fit->before[i].rms,
+        fit->after[i].rms);
   if (!quiet) fmt::print("lens.focalLength {:9.3f} +- {:.3f} px\n", fit->focalLength, fit->focalSd);
   Estimated focal;
   focal.value = fit->focalLength;
   focal.sd = fit->focalSd;
   focal.observed = true;
-  const Status within = checkRanges({focal});
-  if (!within) return fail(within.error(), kExitBadInput);
-  return write(options, parameterFile({focal}, "kelpie calibrate body from " + options.input));
+  for (const Status& within : {checkRanges({focal}), checkBiases(*fit)})
+    if (!within) return fail(within.error(), kExitBadInput);
+  return write(options, parameterFile({focal}, "kelpie calibrate body from " + options.input) +
+                            biasesOf(*fit));
 }
 
 int calibrateBody(const BodyOptions& options) {

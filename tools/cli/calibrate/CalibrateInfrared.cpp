@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "robot/core/fields/FieldCheck.h"
 #include "tools/calibrate/infrared/InfraredFit.h"
 #include "tools/cli/Commands.h"
-#include "tools/cli/WholeFile.h"
 #include "tools/cli/calibrate/Calibrate.h"
 
 namespace kelpie::cli {
@@ -37,13 +35,6 @@ struct InfraredOptions {
   std::string out;
   bool quiet() const { return out == "-"; }  // the file is all that standard output gets
 };
-
-// A name of a file may hold a line break.
-std::string inOneLine(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return text;
-}
 
 std::string parameterFile(const body::InfraredParams& found, const InfraredOptions& options) {
   std::string from = "kelpie calibrate infrared from " + options.log;
@@ -102,13 +93,8 @@ Expected<body::InfraredParams> infraredOf(const InfraredOptions& options, std::s
 }
 
 Status checkOut(const InfraredOptions& options) {
-  if (options.out.empty() || options.quiet()) return Done{};
-  for (const std::string& input : {options.log, options.base}) {
-    const Status target = checkTarget(options.out, input);
-    if (!target) return target;
-  }
-  if (!canWrite(options.out)) return Error{options.out + ": cannot be written"};
-  return Done{};
+  const Status other = checkParameterFile(options.out, options.base);
+  return other ? checkParameterFile(options.out, options.log) : other;
 }
 
 int calibrateInfrared(const InfraredOptions& options) {
@@ -117,10 +103,8 @@ int calibrateInfrared(const InfraredOptions& options) {
   std::string lacks;
   const auto found = infraredOf(options, lacks);
   if (!found) return fail(found.error(), kExitBadInput);
-  if (!options.out.empty() && !writeWhole(options.out, parameterFile(*found, options)))
-    return fail(options.out + ": cannot be written", kExitBadInput);
-  if (!options.out.empty() && !options.quiet())
-    fmt::print("{}: parameters, for --params\n", options.out);
+  const Status written = writeParameterFile(options.out, parameterFile(*found, options));
+  if (!written) return fail(written.error(), kExitBadInput);
   if (lacks.empty()) return kExitDone;
   return fail(lacks + "; calibrated with the rest", kExitBadInput);
 }

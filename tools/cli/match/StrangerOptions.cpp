@@ -4,12 +4,33 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 
+#include "tools/cli/Process.h"
 #include "tools/session/SessionCommands.h"
 
 namespace kelpie::cli {
+namespace {
+
+// Words that a shell reads in its own way may be anything; a plain one is a program or none.
+bool isPlain(const std::string& word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::strchr("_-+./", c) != nullptr;
+  });
+}
+
+// Asked of the shell that will start it. Where that cannot be, the match will tell.
+bool canStart(const std::string& word) {
+  if (!isPlain(word)) return true;
+  auto asked =
+      Process::startGroup({"/bin/sh", "-c", "command -v -- \"$0\" >/dev/null 2>&1", word});
+  return !asked || asked->wait() == 0;
+}
+
+}  // namespace
 
 void addStrangerOptions(CommandLine& command, SessionOptions& session) {
   for (const std::string team : {"red", "blue"})
@@ -49,6 +70,9 @@ Status checkStrangers(const SessionOptions& session) {
                                    [&](const auto& robot) { return robot.team == colour; });
     if (!session.strangerOf(team).empty() && !plays)
       return Error{fmt::format("--{0}-agent: no {0} robot plays (--robots 4v4)", team)};
+    std::string program;
+    std::istringstream(session.strangerOf(team)) >> program;
+    if (!canStart(program)) return Error{fmt::format("--{}-agent: no program {}", team, program)};
   }
   return Done{};
 }

@@ -14,7 +14,7 @@ namespace kelpie::cli {
 void addStrangerOptions(CommandLine& command, SessionOptions& session);
 // An error names an option that is given without a command.
 Status checkStrangerOptions(const CommandLine& command, const SessionOptions& session);
-// An error names a team that has a command and no robot that could obey it.
+// An error names a team with a command that nothing can start, or no robot that could obey it.
 Status checkStrangers(const SessionOptions& session);
 // What a team is called whose robots a command plays: "to_ball" of "python3 agent/to_ball.py".
 std::string programIn(const std::string& command);

@@ -74,7 +74,7 @@ void addOptions(cli::CommandLine& app, EvaluateOptions& options) {
              "Folder of the team that plays against it (default: the experiment's own)")
       .check(cli::existingFolder());
   app.option("--json", options.json, "File for the figures, - for standard output");
-  app.flag("--list", options.list, "Each experiment with the options that it uses");
+  app.flag("--list", options.list, "Each experiment, or NAME alone, with the options that it uses");
 }
 
 Options givenOptions(const cli::CommandLine& app) {
@@ -102,7 +102,7 @@ int run(const Experiment& experiment, EvaluateOptions& options) {
 }
 
 int evaluate(const std::vector<Experiment>& experiments, Options given, EvaluateOptions& options) {
-  if (options.list) return listExperiments(experiments);
+  if (options.list && options.name.empty()) return listExperiments(experiments);
   const auto found = std::find_if(experiments.begin(), experiments.end(),
                                   [&](const Experiment& one) { return one.name == options.name; });
   if (found == experiments.end())
@@ -110,6 +110,7 @@ int evaluate(const std::vector<Experiment>& experiments, Options given, Evaluate
         (options.name.empty() ? "name an experiment" : "no experiment '" + options.name + "'") +
             "; `kelpie evaluate --list` tells which there are",
         cli::kExitBadInput);
+  if (options.list) return listExperiments({*found});
   const Status usable = checkOptions(*found, given);
   if (!usable) return cli::fail(usable.error(), cli::kExitBadInput);
   if (!cli::canWrite(options.json))
