@@ -22,16 +22,15 @@ struct BeaconFinderParams {
   template <int = 0>
   static constexpr auto fields() {
     using P = BeaconFinderParams;
-    return fieldList(field("minSamples", &P::minSamples, "", 1, 100),
-                     field("minBand", &P::minBand, "px", 1, 50),
-                     field("maxRatio", &P::maxRatio, "", 1, 10),
-                     field("maxBelowHorizon", &P::maxBelowHorizon, "px", -160, 160),
-                     field("elevationError", &P::elevationError, "rad", 0, 45),
-                     field("maxDistance", &P::maxDistance, "cm", 50, 1000),
-                     field("maxLogOddsAgainst", &P::maxLogOddsAgainst, "", -50, 50),
-                     field("edgeSd", &P::edgeSd, "px", 0.01, 5),
-                     field("edgeBias", &P::edgeBias, "px", -5, 5),
-                     field("headingSd", &P::headingSd, "rad", 0.01, 20));
+    return fieldList(
+        field("minSamples", &P::minSamples, "", 1, 100), field("minBand", &P::minBand, "px", 1, 50),
+        field("maxRatio", &P::maxRatio, "", 1, 10),
+        field("maxBelowHorizon", &P::maxBelowHorizon, "px", -160, 160),
+        field("elevationError", &P::elevationError, "rad", 0, 45),
+        field("maxDistance", &P::maxDistance, "cm", 50, 1000),
+        field("maxLogOddsAgainst", &P::maxLogOddsAgainst, "", -50, 50),
+        field("edgeSd", &P::edgeSd, "px", 0.01, 5), field("edgeBias", &P::edgeBias, "px", -5, 5),
+        field("headingSd", &P::headingSd, "rad", 0.01, 20));
   }
 };
 

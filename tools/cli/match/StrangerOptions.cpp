@@ -25,8 +25,7 @@ bool isPlain(const std::string& word) {
 // Asked of the shell that will start it. Where that cannot be, the match will tell.
 bool canStart(const std::string& word) {
   if (!isPlain(word)) return true;
-  auto asked =
-      Process::startGroup({"/bin/sh", "-c", "command -v -- \"$0\" >/dev/null 2>&1", word});
+  auto asked = Process::startGroup({"/bin/sh", "-c", "command -v -- \"$0\" >/dev/null 2>&1", word});
   return !asked || asked->wait() == 0;
 }
 
