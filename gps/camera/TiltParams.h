@@ -12,9 +12,7 @@ struct TiltParams {
   bool joint = true;  // keeps what the errors of tilt and pose have in common; off: two filters
   // Tilts of 95 % of the robots are within 3 deg (facts-2005 section 2.1).
   Angle initialSd = Angle::deg(1.5);
-  // A second's noise. A walking body sways by 1.5 deg at 2 Hz, which is another tilt in each image:
-  // with 0.4 its lines made the pose worse than landmarks alone (`kelpie evaluate localise`).
-  Angle driftSd = Angle::deg(6.0);
+  Angle driftSd = Angle::deg(0.4);        // after a second: the neck's play, feet that sink in
   Angle oscillationSd = Angle::deg(0.2);  // of one image: joints' noise, the walking body
   double gate = 3.5;  // standard deviations; beyond, a sighting is something else's
   // Of a robot's accelerometer, which a mean over many images does not make smaller: the sd of one

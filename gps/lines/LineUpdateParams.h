@@ -22,21 +22,19 @@ struct LineUpdateParams {
   double sharpness = 0.004;    // 1/cm2, S of thesis 2004 equation 3.2: a match of 0.5 at 16 cm
   double coarseShare = 0.125;  // of the sharpness, for the first steps of an unsure mode
   double coarseAbove = 12.0;   // cm, sd of a mode from which these are made
-  Angle coarseAboveTilt = Angle::deg(1.6);  // or of its tilt
-  std::uint32_t maxSteps = 4;               // of the maximiser; five are no better on legs
+  Angle coarseAboveTilt = Angle::deg(0.8);  // or of its tilt
+  std::uint32_t maxSteps = 5;               // of the maximiser
   double farStep = 20.0;                    // cm, most of one step
   Angle farTurn = Angle::deg(15);           // the same for the heading
   double pointSd = 2.7;                     // cm, of one point on the ground
   double correlation = 6.0;                 // how many points of how many frames share their error
   double floorSd = 1.0;                     // cm, of a pose from lines, whatever their number
   Angle floorHeadingSd = Angle::deg(0.4);
-  double match = 0.5;       // least match with a still head is match + matchStill (thesis 2004
-  double matchStill = 0.3;  // equation 3.22) and falls with the head's speed
-  double headSpeed = 50.0;  // 1/rad a frame, of thesis 2004 equations 3.22 and 3.23
-  double offField = 0.02;   // 1/cm2, of thesis 2004 equation 3.21
-  // Of the copy that the lines do not correct. 0.05 costs 0.5 of 3.3 cm on walking legs, where a
-  // swaying body shifts all points together (`kelpie evaluate localise`).
-  double outlierWeight = 0.3;
+  double match = 0.5;           // least match with a still head is match + matchStill (thesis 2004
+  double matchStill = 0.3;      // equation 3.22) and falls with the head's speed
+  double headSpeed = 50.0;      // 1/rad a frame, of thesis 2004 equations 3.22 and 3.23
+  double offField = 0.02;       // 1/cm2, of thesis 2004 equation 3.21
+  double outlierWeight = 0.05;  // of the copy that the lines do not correct
   // Of a mode whose lines match nothing. A correction multiplies the true mode's by 0.35 on
   // average; with 0.5 here a wrong one outgrew it within 4 s of one landmark in view.
   double refusedWeight = 0.15;
