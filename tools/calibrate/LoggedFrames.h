@@ -13,31 +13,39 @@
 
 namespace kelpie::calibrate {
 
-// Calls take(input, image kept) for every frame; the configuration comes before them. `lacks` is
-// what of the log could not be read. An error is one line that begins with the log's name.
+// Calls take(message), which returns a Status, for every message but the configuration, which comes
+// before them. `lacks` is what of the log could not be read. An error is one line that begins with
+// the log's name.
 template <class Take>
-Status forEachFrame(const std::string& path, agent::AgentConfig& config, std::string& lacks,
-                    Take&& take) {
+Status forEachMessage(const std::string& path, agent::AgentConfig& config, std::string& lacks,
+                      Take&& take) {
   auto reader = LogReader::open(path);
   if (!reader) return Error{reader.error()};
   LogMessage message;
-  const auto input = std::make_unique<FrameInput>();
   bool configured = false;
   while (reader->next(message)) {
-    Status done = Done{};
-    if (message.topic() == kConfigTopic) {
-      done = decodeAs(message, config);
-      configured = true;
-    } else if (agent::isFrameInput(message.topic())) {
-      done = agent::decodeFrameInput(message, *input);
-      if (done) take(*input, message.topic() != kPictureFrameTopic);
-    }
+    const bool isConfig = message.topic() == kConfigTopic;
+    configured = configured || isConfig;
+    const Status done = isConfig ? decodeAs(message, config) : take(message);
     if (!done) return Error{path + ": " + done.error()};
   }
   if (!reader->status()) return reader->status();
   lacks = reader->lacks();
   if (!configured) return Error{path + ": not a log of an agent"};
   return Done{};
+}
+
+// Calls take(input, image kept) for every frame.
+template <class Take>
+Status forEachFrame(const std::string& path, agent::AgentConfig& config, std::string& lacks,
+                    Take&& take) {
+  const auto input = std::make_unique<FrameInput>();
+  return forEachMessage(path, config, lacks, [&](const LogMessage& message) -> Status {
+    if (!agent::isFrameInput(message.topic())) return Done{};
+    const Status done = agent::decodeFrameInput(message, *input);
+    if (done) take(*input, message.topic() != kPictureFrameTopic);
+    return done;
+  });
 }
 
 }  // namespace kelpie::calibrate

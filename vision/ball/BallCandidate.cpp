@@ -16,9 +16,17 @@ namespace {
 
 constexpr int kSpokes = 16;
 
+// px, without what this camera adds: the measured one is r + edgeBias - blur^2 / (2 r).
+double trueRadius(double measured, const BallFinderParams& p) {
+  constexpr double kMinRadius = 0.5;
+  const double half = 0.5 * (measured - p.edgeBias);
+  return std::max(kMinRadius, half + std::sqrt(half * half + 0.5 * maths::square(p.blur)));
+}
+
 // Along spokes from a place inside the orange. A highlight or a shadow may interrupt the orange;
 // what is farther away than `reach` is not the ball's outline.
-void measure(const Scene& scene, PixelPoint from, double size, double reach, BallCandidate& c) {
+void measure(const Scene& scene, PixelPoint from, double size, double reach,
+             const BallFinderParams& p, BallCandidate& c) {
   constexpr double kSizePerHole = 6.0;  // it may be a sixth of the ball's size
   const int holes = std::max(1, static_cast<int>(size / kSizePerHole));
   EdgePoints points;
@@ -32,7 +40,7 @@ void measure(const Scene& scene, PixelPoint from, double size, double reach, Bal
   c.cone = fitCone(points, scene.body.camera.lens);
   if (!c.cone.valid) return;
   c.axis = body::rayThrough(scene.body.camera, c.cone.centre);
-  c.range = body::kBallRadius / c.cone.sinHalf;
+  c.range = body::kBallRadius / c.cone.sinHalf * (c.cone.radius / trueRadius(c.cone.radius, p));
 }
 
 // Share by which the range by size may be wrong.
@@ -65,16 +73,16 @@ std::optional<PixelPoint> lowestOf(const Scene& scene, const Blob& blob) {
 
 }  // namespace
 
-BallCandidate ballFromMiddle(const Scene& scene, const Blob& blob) {
+BallCandidate ballFromMiddle(const Scene& scene, const Blob& blob, const BallFinderParams& p) {
   BallCandidate c;
   c.blob = &blob;
   const double size = std::max(blob.box.width(), blob.box.height());
   constexpr double kAnyReach = 1e3;  // px, more than an image's diagonal
-  measure(scene, blob.centre, size, kAnyReach, c);
+  measure(scene, blob.centre, size, kAnyReach, p, c);
   return c;
 }
 
-BallCandidate ballFromFoot(const Scene& scene, const Blob& blob) {
+BallCandidate ballFromFoot(const Scene& scene, const Blob& blob, const BallFinderParams& p) {
   constexpr double kMinRange = 10.0;  // cm
   constexpr double kMaxReach = 1.7;   // radii, and a pixel: beyond, another thing's edge
   BallCandidate c;
@@ -90,17 +98,7 @@ BallCandidate ballFromFoot(const Scene& scene, const Blob& blob) {
       focalLength(scene) * body::kBallRadius / std::max(maths::hypot(along, eye.z), kMinRange);
   const PixelPoint middle = moved(*lowest, scene.frame.up(), radius);
   if (!Sampler::usable(middle) || scene.sampler.classAt(middle) != ColourClass::orange) return c;
-  measure(scene, middle, 2.0 * radius, kMaxReach * radius + 1.0, c);
-  return c;
-}
-
-// From r, measured, to r': r = r' + edgeBias - blur^2 / (2 r').
-BallCandidate unbiased(BallCandidate c, const BallFinderParams& p) {
-  constexpr double kMinRadius = 0.5;  // px
-  if (!c.cone.valid) return c;
-  const double half = 0.5 * (c.cone.radius - p.edgeBias);
-  const double radius = half + std::sqrt(half * half + 0.5 * maths::square(p.blur));
-  c.range *= c.cone.radius / std::max(radius, kMinRadius);
+  measure(scene, middle, 2.0 * radius, kMaxReach * radius + 1.0, p, c);
   return c;
 }
 

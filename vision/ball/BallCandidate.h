@@ -19,12 +19,9 @@ struct BallCandidate {
   Point3<Robot> axis;  // unit vector to the centre
 };
 
-BallCandidate ballFromMiddle(const Scene& scene, const Blob& blob);
+BallCandidate ballFromMiddle(const Scene& scene, const Blob& blob, const BallFinderParams& p);
 // A ball as large as one that stands where the patch ends below.
-BallCandidate ballFromFoot(const Scene& scene, const Blob& blob);
-
-// The same at the range that its outline tells without what this camera adds to a radius.
-BallCandidate unbiased(BallCandidate c, const BallFinderParams& p);
+BallCandidate ballFromFoot(const Scene& scene, const Blob& blob, const BallFinderParams& p);
 
 // The height of its centre above that of a ball that lies on the ground, in tolerances: the error
 // of the camera's direction and of its size.

@@ -209,9 +209,9 @@ BallPercept findBall(const Scene& scene, const BallFinderParams& params, VisionC
       refuse(counts, Refusal::ballTooSmall);
       continue;
     }
-    finder.judge(unbiased(ballFromMiddle(scene, *blob), params));
+    finder.judge(ballFromMiddle(scene, *blob, params));
     if (finder.isSure()) break;
-    finder.judge(unbiased(ballFromFoot(scene, *blob), params));
+    finder.judge(ballFromFoot(scene, *blob, params));
   }
   return finder.best.percept;
 }

@@ -2,8 +2,6 @@
 // What a camera adds to measured sizes is taken away before they tell a distance.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/vision/Painting.h"
 
 namespace kelpie::vision {

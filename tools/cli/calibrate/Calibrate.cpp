@@ -36,7 +36,7 @@ Status checkTarget(const std::string& out, const std::string& input) {
   return Done{};
 }
 
-Status checkParameterFile(const std::string& out, const std::string& input) {
+Status checkOut(const std::string& out, const std::string& input) {
   if (out.empty() || out == "-") return Done{};
   const Status target = checkTarget(out, input);
   if (!target) return target;

@@ -24,9 +24,11 @@ void addCalibrateWalk(CommandLine& command, int& code);
 // Whether `out` may be written: a plain file or none yet, and not the very input.
 Status checkTarget(const std::string& out, const std::string& input);
 
-// A file of parameters, for --params; `out` empty: none, "-": standard output, which then gets
-// nothing else.
-Status checkParameterFile(const std::string& out, const std::string& input);
+// The same of what may also be left out (empty) or standard output ("-"), before it takes minutes.
+Status checkOut(const std::string& out, const std::string& input);
+
+// A file of parameters, for --params; empty: none, "-": standard output, which then gets nothing
+// else.
 Status writeParameterFile(const std::string& out, const std::string& text);
 // For its comment: a name of a file may hold a line break.
 std::string inOneLine(std::string text);

@@ -183,9 +183,8 @@ int fromSizes(const BodyOptions& options) {
 
 int calibrateBody(const BodyOptions& options) {
   for (const auto& path : {options.out, options.picture}) {
-    const Status target = path == "-" ? Status(Done{}) : checkTarget(path, options.input);
+    const Status target = checkOut(path, options.input);
     if (!target) return fail(target.error(), kExitBadInput);
-    if (!path.empty() && !canWrite(path)) return fail(path + ": cannot be written", kExitBadInput);
   }
   std::error_code error;
   const auto place = [&error](const std::string& path) {

@@ -92,14 +92,11 @@ Expected<body::InfraredParams> infraredOf(const InfraredOptions& options, std::s
   return found;
 }
 
-Status checkOut(const InfraredOptions& options) {
-  const Status other = checkParameterFile(options.out, options.base);
-  return other ? checkParameterFile(options.out, options.log) : other;
-}
-
 int calibrateInfrared(const InfraredOptions& options) {
-  const Status target = checkOut(options);
-  if (!target) return fail(target.error(), kExitBadInput);
+  for (const auto& input : {options.log, options.base}) {
+    const Status target = checkOut(options.out, input);
+    if (!target) return fail(target.error(), kExitBadInput);
+  }
   std::string lacks;
   const auto found = infraredOf(options, lacks);
   if (!found) return fail(found.error(), kExitBadInput);

@@ -33,7 +33,7 @@ std::string parameterFile(const calibrate::LagEstimate& found, const std::string
 }
 
 int calibrateTime(const TimeOptions& options) {
-  const Status target = checkParameterFile(options.out, options.log);
+  const Status target = checkOut(options.out, options.log);
   if (!target) return fail(target.error(), kExitBadInput);
   const auto found = calibrate::estimateLag(options.log);
   if (!found) return fail(found.error(), kExitBadInput);
