@@ -55,6 +55,7 @@ bool updateByFrameOrMap(const GpsIn& in, const GpsParams& params, GpsState& stat
   LineMap& map = state.lines.map;
   SeenLines seen = linesOfFrameOrMap(in, params.lines, map);
   seen.noiseScale = state.pose.noiseScale;
+  seen.shaking = shaking(state.pose.shake);
   const PoseMode before = state.pose.modes[0];
   const auto squared = updateByLines(seen, state.lines.features, params.lines.update,
                                      state.pose.modes, state.counts);
@@ -97,7 +98,7 @@ Step moveModes(const GpsIn& in, const GpsParams& params, GpsState& state) {
   const StepNoise scaled = inContact(scaledBy(pose.noiseScale, noise));
   predictAll(held, {step.odometry, scaled}, elapsed, params.odometryErrors, pose);
   driftOffsets(in.input.game.team, elapsed, params.landmarkOffsets, pose.offsets);
-  driftTilt(elapsed, params.tilt, pose.modes);
+  driftTilt(elapsed, shaking(pose.shake), params.tilt, pose.modes);
   moveCrossing(step.odometry, elapsed, pose.surprising);
   moveLagReferences(step.odometry, elapsed, pose.lagReferences);
   keepNearField(params.field, pose.modes);
@@ -146,6 +147,7 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state,
     const Measurement seen = displaced(m, params.landmarkOffsets, state.pose.offsets);
     if (state.pose.lost) {
       seedAround(seen, params.field, params.modes, state.pose, state.counts);
+      state.pose.kindsSeen = 0;
     } else {
       m = doubted(seen, state.pose.offsets);
       noteSighting(in, m, params, state.pose);
@@ -155,6 +157,7 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state,
       update(m, params.field, params.modes, state.pose, state.counts);
     }
     finishUpdate(params, state);
+    state.pose.kindsSeen |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(seen.kind));
     if (!state.pose.lost) noteLandmarks(1, params.stuck, state);  // else no place on the field fits
   }
 }

@@ -89,9 +89,10 @@ CameraTilt startingTilt(const TiltParams& params) {
   return tilt;
 }
 
-void driftTilt(double elapsed, const TiltParams& params, Modes& modes) {
+void driftTilt(double elapsed, double shaking, const TiltParams& params, Modes& modes) {
   if (!params.use) return;
-  const double grown = elapsed * maths::square(params.driftSd.rad());
+  const double sway = params.swaySd.rad() * shaking;
+  const double grown = elapsed * (maths::square(params.driftSd.rad()) + maths::square(sway));
   const double max = maths::square(params.initialSd.rad());
   for (PoseMode& mode : modes) {
     double& tilt = mode.tilt.tiltVariance;

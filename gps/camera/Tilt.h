@@ -16,8 +16,8 @@ namespace kelpie::gps {
 // Nothing is known but how much robots differ.
 CameraTilt startingTilt(const TiltParams& params);
 
-// Time passes.
-void driftTilt(double elapsed, const TiltParams& params, Modes& modes);
+// Time passes, the body shaking by as much (Shake.h).
+void driftTilt(double elapsed, double shaking, const TiltParams& params, Modes& modes);
 
 // How much more the camera looks up in a direction (a unit vector on the ground, robot frame) than
 // the image was read with: as much as something is seen too low there.

@@ -28,6 +28,7 @@ struct SeenLines {
   ScratchVector<SeenPoint, 16> carpet;  // green; only says that the robot is near the field
   double newEvidenceShare = 1.0;        // what no update has used before
   double noiseScale = 1.0;              // of the variances
+  double shaking = 0.0;                 // of the body, as Shake.h has it
   double headSpeed = 0.0;               // rad a frame, while they were seen
   double lateVariance = 0.0;            // rad2, of the heading, by the lag that is not known
   // The camera, and the tilt with which the points were laid on the ground.

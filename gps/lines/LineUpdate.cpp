@@ -75,6 +75,12 @@ PoseMode judged(const PoseMode& mode, const LineObservation& found, double outli
   return result;
 }
 
+// A shaken body's lines are all wrong together more often.
+double outlierWeightOf(const SeenLines& seen, const LineUpdateParams& params) {
+  const double share = std::min(1.0, seen.shaking);
+  return params.outlierWeight + share * (params.shakenOutlierWeight - params.outlierWeight);
+}
+
 // From 1 at a full match to `refused` at the least that is accepted.
 double matchFactorOf(double match, double least, double refused) {
   const double doubt = maths::clamp((1.0 - match) / std::max(1.0 - least, 1e-6), 0.0, 1.0);
@@ -158,6 +164,7 @@ std::optional<double> updateByLines(const SeenLines& seen, const FieldFeatures& 
   if (std::none_of(found.begin(), found.end(), [](const auto& o) { return o.has_value(); }))
     return std::nullopt;
   const double weightBefore = modes[0].weight;
+  const double outliers = outlierWeightOf(seen, params);
   const std::size_t before = modes.size();
   for (std::size_t i = 0; i < before; ++i) {
     if (i >= found.size() || !found[i]) {
@@ -165,10 +172,10 @@ std::optional<double> updateByLines(const SeenLines& seen, const FieldFeatures& 
       continue;
     }
     if (params.use == LineUse::sanity) {
-      modes[i] = judged(modes[i], *found[i], params.outlierWeight);
+      modes[i] = judged(modes[i], *found[i], outliers);
       continue;
     }
-    modes.push_back(outlierCopy(modes[i], params.outlierWeight));
+    modes.push_back(outlierCopy(modes[i], outliers));
     modes[i] = corrected(modes[i], *found[i]);
     modes[i].weight *= found[i]->matchFactor;
   }

@@ -24,6 +24,8 @@ double excessShake(const FrameInput& input, const ShakeParams& params, ShakeStat
   return std::max(0.0, state.deviation - params.free) / kUnit;
 }
 
+double shaking(const ShakeState& state) { return state.deviation / kUnit; }
+
 Odometry shortened(const Odometry& odometry, double excess, const ShakeParams& params) {
   if (excess <= 0.0) return odometry;
   const double share = 1.0 / (1.0 + params.slowing * excess);

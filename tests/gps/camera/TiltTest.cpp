@@ -80,10 +80,20 @@ TEST(Tilt, WhatIsKnownFadesToHowMuchRobotsDiffer) {
   Watcher robot;
   robot.seeBeacon(0.0, 1.0, 50);
   const double known = robot.tilt().tiltVariance;
-  driftTilt(1.0, robot.params, robot.state.modes);
+  driftTilt(1.0, 0.0, robot.params, robot.state.modes);
   EXPECT_NEAR(robot.tilt().tiltVariance - known, std::pow(robot.params.driftSd.rad(), 2), 1e-9);
-  driftTilt(1e4, robot.params, robot.state.modes);
+  driftTilt(1e4, 0.0, robot.params, robot.state.modes);
   EXPECT_NEAR(std::sqrt(robot.tilt().tiltVariance), robot.params.initialSd.rad(), 1e-9);
+}
+
+TEST(Tilt, AShakenBodysTiltIsAnotherInTheNextImage) {
+  Watcher robot;
+  robot.seeBeacon(0.0, 1.0, 50);
+  const double known = robot.tilt().tiltVariance;
+  driftTilt(0.01, 1.0, robot.params, robot.state.modes);
+  const double drift = robot.params.driftSd.rad();
+  const double sway = robot.params.swaySd.rad();
+  EXPECT_NEAR(robot.tilt().tiltVariance - known, 0.01 * (drift * drift + sway * sway), 1e-9);
 }
 
 TEST(Tilt, ALostRobotStillKnowsItsBody) {

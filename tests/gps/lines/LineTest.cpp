@@ -86,6 +86,29 @@ TEST(LineObservation, PoorMatchesAreRefusedAndFastHeadsBelievedLess) {
   EXPECT_FALSE(observationOf(fit, features(), 0.0, {}));
 }
 
+// Of the copy that the lines did not correct, beside the mode as it was.
+double weightOfCopy(double shaking) {
+  SeenLines seen = seenFrom(kPose);
+  seen.shaking = shaking;
+  Modes modes;
+  PoseMode mode;
+  mode.weight = 1.0;
+  mode.pose = kPose;
+  mode.covariance = {9, 0, 0, 0, 9, 0, 0, 0, 0.002};
+  mode.tilt = {Angle{}, Angle{}, 1e-6, 1e-6};
+  modes.push_back(mode);
+  GpsCounts counts;
+  static_cast<void>(updateByLines(seen, features(), {}, modes, counts));
+  return modes.back().weight;
+}
+
+TEST(LineObservation, LinesOfAShakenBodyAreDoubtedMore) {
+  const LineUpdateParams p;
+  EXPECT_NEAR(weightOfCopy(0.0), p.outlierWeight, 1e-9);
+  EXPECT_NEAR(weightOfCopy(0.5), 0.5 * (p.outlierWeight + p.shakenOutlierWeight), 1e-9);
+  EXPECT_NEAR(weightOfCopy(7.0), p.shakenOutlierWeight, 1e-9);
+}
+
 TEST(LineObservation, AWorseMatchWeighsLess) {
   LineFit fit = fitLines(seenFrom(kPose), kPose, features(), {});
   const auto factor = [&](double match) {
