@@ -12,7 +12,7 @@ struct TiltParams {
   bool joint = true;  // keeps what the errors of tilt and pose have in common; off: two filters
   // Tilts of 95 % of the robots are within 3 deg (facts-2005 section 2.1).
   Angle initialSd = Angle::deg(1.5);
-  Angle driftSd = Angle::deg(0.4);        // after a second: the neck's play, feet that sink in
+  Angle driftSd = Angle::deg(0.4);  // after a second: the neck's play, feet that sink in
   // As much more, for each 100 cm/s2 of shaking (Shake.h): a walking body sways by 1.5 deg at
   // 2 Hz, which is another tilt in each image. Without it lines made the pose worse than landmarks
   // alone (`kelpie evaluate localise`).
