@@ -6,10 +6,13 @@ include(${CMAKE_CURRENT_LIST_DIR}/version.cmake)
 kelpie_version(${CMAKE_SOURCE_DIR} ${PROJECT_VERSION} KELPIE_PACKAGE_VERSION)
 
 # The manual, the words that bash completes, the list of what is linked and its licences, made from
-# the programs themselves.
+# the programs themselves: of each package in a folder of its own.
 set(KELPIE_RELEASE ${CMAKE_BINARY_DIR}/release)
+set(KELPIE_DEV_RELEASE ${CMAKE_BINARY_DIR}/release-dev)
 set(KELPIE_PROGRAMS kelpie kelpie-agent kelpie-world kelpie-percepts)
+set(KELPIE_DEV_PROGRAMS kelpie-experiments)
 list(TRANSFORM KELPIE_PROGRAMS REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE files)
+list(TRANSFORM KELPIE_DEV_PROGRAMS REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE dev_files)
 add_custom_target(
   kelpie-release
   COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tools/release/manual.py $<TARGET_FILE:kelpie>
@@ -17,6 +20,16 @@ add_custom_target(
   COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tools/release/sbom.py write ${KELPIE_RELEASE}
           --version ${KELPIE_PACKAGE_VERSION} --build ${CMAKE_BINARY_DIR} ${files}
   DEPENDS ${KELPIE_PROGRAMS}
+  VERBATIM)
+add_custom_target(
+  kelpie-dev-release
+  COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tools/release/manual.py
+          $<TARGET_FILE:kelpie-experiments> ${KELPIE_DEV_RELEASE}
+          --version ${KELPIE_PACKAGE_VERSION} --of evaluate
+  COMMAND /usr/bin/python3 ${CMAKE_SOURCE_DIR}/tools/release/sbom.py write ${KELPIE_DEV_RELEASE}
+          --version ${KELPIE_PACKAGE_VERSION} --build ${CMAKE_BINARY_DIR} --name kelpie-dev
+          ${dev_files}
+  DEPENDS ${KELPIE_DEV_PROGRAMS}
   VERBATIM)
 
 foreach(pair kelpie.1.gz:man/man1 kelpie:bash-completion/completions
@@ -29,8 +42,12 @@ foreach(pair kelpie.1.gz:man/man1 kelpie:bash-completion/completions
 endforeach()
 install(DIRECTORY ${KELPIE_RELEASE}/licences DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kelpie
         COMPONENT runtime OPTIONAL)
-install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kelpie-dev
-        RENAME copyright COMPONENT dev)
+install(FILES ${KELPIE_DEV_RELEASE}/kelpie-evaluate.1.gz
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/man/man1 COMPONENT dev OPTIONAL)
+install(FILES ${KELPIE_DEV_RELEASE}/kelpie-dev.spdx.json ${KELPIE_DEV_RELEASE}/copyright
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kelpie-dev COMPONENT dev OPTIONAL)
+install(DIRECTORY ${KELPIE_DEV_RELEASE}/licences
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kelpie-dev COMPONENT dev OPTIONAL)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kelpie)

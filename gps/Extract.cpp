@@ -47,6 +47,24 @@ void doubtOneLandmark(std::uint8_t kindsSeen, std::array<double, 9>& covariance)
   covariance[4] += maths::square(kLeastSd);
 }
 
+double sdOf(double variance) { return std::sqrt(std::max(0.0, variance)); }
+
+OdometryErrorEstimate odometryErrorsOf(const OdometryErrors& errors) {
+  const auto& mean = errors.mean;
+  const auto& c = errors.covariance;
+  if (!(c[0] + c[4] + c[8] > 0.0)) return {};
+  return {true, mean[0], sdOf(c[0]), mean[1], sdOf(c[4]), mean[2], sdOf(c[8])};
+}
+
+// Nearer than `moved` cm to its place each of them stands somewhere: maps, hands and the filter
+// itself are no more exact.
+void tellMoved(const LandmarkOffsets& offsets, double moved, MovedLandmarks& told) {
+  for (std::size_t i = 0; i < kLandmarkKindCount; ++i) {
+    const Point2<Field> offset{offsets.landmarks[i].x, offsets.landmarks[i].y};
+    if (offset.norm() > moved) told.push_back({static_cast<LandmarkKind>(i), offset});
+  }
+}
+
 // Where the ball will lie: each model's end, weighed.
 Point2<Robot> stoppingPointOf(const BallTrack& ball, const BallFilterParams& params) {
   const std::array<double, 4>& rolling = ball.rolling.mean;
@@ -92,7 +110,7 @@ SecondHypothesis secondOf(const Modes& modes) {
 
 }  // namespace
 
-void extractInto(WorldModel& world, const GpsState& state, const BallFilterParams& params) {
+void extractInto(WorldModel& world, const GpsState& state, const GpsParams& params) {
   makeEmpty(world);
   for (const PoseMode& mode : state.pose.modes) world.modes.push_back(mode);
   world.pose = state.pose.modes[0].pose;
@@ -104,15 +122,17 @@ void extractInto(WorldModel& world, const GpsState& state, const BallFilterParam
   world.cameraTilt = state.pose.modes[0].tilt;
   world.focalScale = state.pose.focal;
   world.imageLag = state.pose.lag;
+  world.odometryErrors = odometryErrorsOf(state.pose.odometry);
+  tellMoved(state.pose.offsets, params.landmarkOffsets.moved, world.movedLandmarks);
   world.secondsSinceLandmark = state.pose.secondsSinceLandmark;
   world.secondsSinceLines = state.pose.secondsSinceLines;
   world.second = secondOf(state.pose.modes);
   world.stuck = state.pose.stuck.share;
-  world.ball = extractBall(state.ball.track, state.pose.modes[0], params);
+  world.ball = extractBall(state.ball.track, state.pose.modes[0], params.ball);
   copyUsed(world.pinkMap, state.pinks.map);
 }
 
-WorldModel extract(const GpsState& state, const BallFilterParams& params) {
+WorldModel extract(const GpsState& state, const GpsParams& params) {
   WorldModel world;
   extractInto(world, state, params);
   return world;

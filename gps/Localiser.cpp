@@ -38,7 +38,7 @@ void believeInto(WorldModel& world, const GpsIn& in, const Step& moved, const Gp
   if (!state.pose.lost && correctByBall(state.ball.track, players, state.players, state.pose.modes))
     finishUpdate(params, state);
   learnErrors(params.odometryErrors, state.pose);
-  extractInto(world, state, params.ball);
+  extractInto(world, state, params);
   stepPlayers(in, players, state.players, state.counts, world);
   world.counts = state.counts;
   bringForward(sinceExposure(in.input), world);

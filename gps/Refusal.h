@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why the localiser did not use something; what is not used is counted by these reasons.
+// Why the localiser did not use something; what is not used is counted by these reasons. So is, as
+// landmarkMoved, what it does not use as it is.
 #pragma once
 
 #include <cstddef>

@@ -11,8 +11,10 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PLACES = ("tools/cli", "tools/sim/main.cpp", "tools/experiments/harness")
-WORD = r'"!?--[a-z][a-z0-9-]*|subcommand\("[a-z][a-z-]*"'
+PLACES = ("tools/cli", "tools/sim/main.cpp", "tools/experiments/harness", "tools/percepts/main.cpp",
+          "tools/farm/main.py")
+# As the programs in C++ declare them, and as the farm's, which is in Python.
+WORD = (r"""["']!?--[a-z][a-z0-9-]*|subcommand\("[a-z][a-z-]*"|add_parser\(["'][a-z][a-z-]*["']""")
 
 
 def git(root, *words):
@@ -31,7 +33,7 @@ def base_of(root):
 def words(root, commit=None):
     """What can be typed, as the sources of a commit say it, or those of the working tree."""
     found = git(root, "grep", "-hoE", WORD, *([commit] if commit else []), "--", *PLACES)
-    return {line.split('"')[1].lstrip("!") for line in found.splitlines()}
+    return {re.split("[\"']", line)[1].lstrip("!") for line in found.splitlines()}
 
 
 def unnamed(root):

@@ -53,7 +53,7 @@ OStatus Agent::DoInit(const OSystemEvent&) {
   REGISTER_ALL_ENTRY;
   SET_ALL_READY_AND_NOTIFY_ENTRY;
   openPrimitives();
-  if (ids_.camera != oprimitiveID_UNDEF) setCamera();
+  setCamera(playing().cameraSettings());
   return newVectors();
 }
 
@@ -102,14 +102,27 @@ void Agent::openPrimitives() {
   if (crippled_) OSYSLOG1((osyslogERROR, "a joint or the camera is lacking: it does not play"));
 }
 
-// As in 2005: fluorescent light, high gain, fast shutter, so that little is smeared
-// (facts-2005 2.1).
-void Agent::setCamera() {
+// CameraSettings has OPEN-R's own numbers.
+static_assert(longword(WhiteBalance::indoor) == ocamparamWB_INDOOR_MODE &&
+              longword(WhiteBalance::outdoor) == ocamparamWB_OUTDOOR_MODE &&
+              longword(WhiteBalance::fluorescent) == ocamparamWB_FL_MODE);
+static_assert(longword(CameraGain::low) == ocamparamGAIN_LOW &&
+              longword(CameraGain::mid) == ocamparamGAIN_MID &&
+              longword(CameraGain::high) == ocamparamGAIN_HIGH);
+static_assert(longword(Shutter::slow) == ocamparamSHUTTER_SLOW &&
+              longword(Shutter::mid) == ocamparamSHUTTER_MID &&
+              longword(Shutter::fast) == ocamparamSHUTTER_FAST);
+
+// At the start, and when the loops ask for another setting.
+void Agent::setCamera(const CameraSettings& wanted) {
+  cameraSet_ = wanted;
+  if (ids_.camera == oprimitiveID_UNDEF) return;
   const OPrimitiveRequest requests[] = {oprmreqCAM_SET_WHITE_BALANCE, oprmreqCAM_SET_GAIN,
                                         oprmreqCAM_SET_SHUTTER_SPEED};
-  OPrimitiveControl_CameraParam values[] = {OPrimitiveControl_CameraParam(ocamparamWB_FL_MODE),
-                                            OPrimitiveControl_CameraParam(ocamparamGAIN_HIGH),
-                                            OPrimitiveControl_CameraParam(ocamparamSHUTTER_FAST)};
+  OPrimitiveControl_CameraParam values[] = {
+      OPrimitiveControl_CameraParam(longword(wanted.whiteBalance)),
+      OPrimitiveControl_CameraParam(longword(wanted.gain)),
+      OPrimitiveControl_CameraParam(longword(wanted.shutter))};
   for (std::size_t i = 0; i < std::size(values); ++i) {
     const OStatus status =
         OPENR::ControlPrimitive(ids_.camera, requests[i], &values[i], sizeof values[i], nullptr, 0);
@@ -269,6 +282,8 @@ void Agent::NotifySensor(const ONotifyEvent& event) {
 }
 
 void Agent::play() {
+  const CameraSettings wanted = playing().cameraSettings();
+  if (wanted != cameraSet_) setCamera(wanted);
   motionInput_.held = held();
   const MotionOutput& output = playing().motion(motionInput_);
   obey(playing().motors(), {output.status.lowGain, output.status.legGain});

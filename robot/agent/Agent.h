@@ -79,7 +79,7 @@ class Agent : public OObject {
   OStatus watchPower();
   void takePower(const OPowerStatus& status);
   OStatus readPose();
-  void setCamera();
+  void setCamera(const CameraSettings& wanted);
   bool readSensors(OSensorFrameVectorData& vector);
   TimeUs lastTick(OSensorFrameVectorData& vector);
   Loops& playing() { return crippled_ ? static_cast<Loops&>(crippledLoops_) : loops_; }
@@ -98,6 +98,7 @@ class Agent : public OObject {
   MotionInput motionInput_;
   std::array<JointFrame, kTicksPerMessage> held_{};  // the last targets, at first the sensed pose
   Image image_;
+  CameraSettings cameraSet_;  // asked for last; what is refused is not asked for again
   std::array<SentGain, kJointCount> gains_{};
   bool power_ = false;          // asked for
   bool motorPower_ = false;     // as the system said last

@@ -7,6 +7,7 @@
 #include "actuator/ActuatorParams.h"
 #include "behaviour/BehaviourParams.h"
 #include "gps/GpsParams.h"
+#include "robot/agent/CameraSettings.h"
 #include "robot/body/Camera.h"
 #include "robot/body/FieldDescription.h"
 #include "robot/core/types/FrameInput.h"
@@ -27,18 +28,19 @@ struct AgentConfig {
   behaviour::BehaviourParams behaviour;
   actuator::ActuatorParams actuator;
   net::ListenerParams game;
+  CameraSettings camera;
   vision::VisionCalibration calibration;
 
   template <int = 0>
   static constexpr auto fields() {
     using kelpie::field;
-    return fieldList(field("team", &AgentConfig::team, "", 0, 1),
-                     field("player", &AgentConfig::player, "", 1, 4),
-                     field("field", &AgentConfig::field), field("body", &AgentConfig::body),
-                     field("vision", &AgentConfig::vision), field("gps", &AgentConfig::gps),
-                     field("behaviour", &AgentConfig::behaviour),
-                     field("actuator", &AgentConfig::actuator), field("game", &AgentConfig::game),
-                     field("calibration", &AgentConfig::calibration));
+    return fieldList(
+        field("team", &AgentConfig::team, "", 0, 1),
+        field("player", &AgentConfig::player, "", 1, 4), field("field", &AgentConfig::field),
+        field("body", &AgentConfig::body), field("vision", &AgentConfig::vision),
+        field("gps", &AgentConfig::gps), field("behaviour", &AgentConfig::behaviour),
+        field("actuator", &AgentConfig::actuator), field("game", &AgentConfig::game),
+        field("camera", &AgentConfig::camera), field("calibration", &AgentConfig::calibration));
   }
 };
 

@@ -49,6 +49,7 @@ class LateLoops : public agent::Loops {
     power_ = report;
     at_->power(report);
   }
+  agent::CameraSettings cameraSettings() const override { return at_->cameraSettings(); }
   void camera(const Image& image, TimeUs exposed, std::uint32_t number) override {
     at_->camera(image, exposed, number);
   }

@@ -23,6 +23,7 @@ void forEachSection(agent::AgentConfig& config, Visit visit) {
   visit("behaviour", config.behaviour);
   visit("actuator", config.actuator);
   visit("game", config.game);
+  visit("camera", config.camera);
 }
 
 // Made once, because the names of thousands of parameters are; each input begins with the defaults.

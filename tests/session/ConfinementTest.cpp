@@ -10,14 +10,20 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <thread>
 
+#include "robot/core/log/LogReader.h"
+#include "robot/core/log/LogWriter.h"
+#include "robot/core/types/Command.h"
+#include "tests/session/OwnFolder.h"
 #include "tools/session/Confinement.h"
 #include "tools/session/SessionCommands.h"
 
@@ -36,6 +42,13 @@ int openError(const std::string& path, int flags) {
   return errorOf(open(path.c_str(), flags, 0600) >= 0);
 }
 
+// The first descriptor that is not given out any more; -1 when that is not for want of them.
+int firstRefused(const std::string& file) {
+  int last = -1;
+  for (int next = 0; next >= 0; next = open(file.c_str(), O_RDONLY)) last = std::max(last, next);
+  return errno == EMFILE ? last + 1 : -1;
+}
+
 class Confined : public testing::Test {
  protected:
   void SetUp() override {
@@ -44,6 +57,9 @@ class Confined : public testing::Test {
     fs::create_directories(folder_ + "/team/deeper");
     for (const char* file : {"/secret", "/team/main.py", "/team/deeper/other.py"})
       std::ofstream(folder_ + file) << "text";
+    limits_.readable = {folder_ + "/team"};
+    limits_.memory = kMemory;
+    limits_.seconds = 2;
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -52,11 +68,7 @@ class Confined : public testing::Test {
   int in(const std::function<int()>& attempt, bool needsLandlock = false) const {
     const pid_t child = fork();
     if (child == 0) {
-      Confinement limits;
-      limits.readable = {folder_ + "/team"};
-      limits.memory = kMemory;
-      limits.seconds = 2;
-      const auto confined = confine(limits);
+      const auto confined = confine(limits_);
       if (!confined) _exit(kNotConfined);
       if (needsLandlock && !*confined) _exit(kNoLandlock);
       _exit(attempt());
@@ -70,8 +82,12 @@ class Confined : public testing::Test {
     if (said == kNoLandlock) GTEST_SKIP() << "this kernel has no Landlock";
     EXPECT_EQ(said, EACCES);
   }
+  int firstRefusedIn() const {
+    return in([&] { return firstRefused(folder_ + "/team/main.py"); });
+  }
 
   std::string folder_;
+  Confinement limits_;
 };
 
 TEST_F(Confined, ReadsItsOwnFolder) {
@@ -160,14 +176,59 @@ TEST_F(Confined, HasNobodySignalledByADescriptor) {
             EPERM);
 }
 
-TEST_F(Confined, OpensNotEverMoreDescriptors) {
-  EXPECT_EQ(in([] {
-              int ends[2];
-              while (pipe2(ends, O_CLOEXEC) == 0) {
-              }
-              return errno;
+// Far below what a shell gives, so that no other limit passes for it.
+TEST_F(Confined, OpensNotMoreDescriptorsThanItsLimit) {
+  rlimit shell{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &shell), 0);
+  ASSERT_GT(shell.rlim_cur, limits_.descriptors);
+  EXPECT_EQ(firstRefusedIn(), 64);
+  limits_.descriptors = 20;
+  EXPECT_EQ(firstRefusedIn(), 20);
+}
+
+TEST_F(Confined, KeepsALowerLimitOfItsUser) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit lower{20, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &lower), 0);
+  const int said = firstRefusedIn();
+  EXPECT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_EQ(said, 20);
+}
+
+TEST_F(Confined, WritesNoFileBeyondItsLimit) {
+  limits_.fileSize = 1000;
+  const int log = open((folder_ + "/log").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  const std::string text(600, 'x');
+  EXPECT_EQ(in([&] {
+              if (write(log, text.data(), text.size()) != 600) return -1;
+              if (write(log, text.data(), text.size()) != 400) return -1;
+              return errorOf(write(log, "x", 1) == 1);
             }),
-            EMFILE);
+            EFBIG);
+  EXPECT_EQ(fs::file_size(folder_ + "/log"), 1000U);
+  close(log);
+}
+
+TEST_F(Confined, IsToldThatItsLogGrewTooLongAndWhatFittedIsRead) {
+  limits_.fileSize = 10000;
+  const std::string path = folder_ + "/log";
+  auto log = LogWriter::open(path, LogOptions{});
+  ASSERT_TRUE(log);
+  EXPECT_EQ(in([&] {
+              for (int i = 0; i < 1000 && log->status(); ++i)
+                log->write("/walk", TimeUs{i}, WalkRequest{});
+              const Status closed = log->close();
+              if (closed) return 0;
+              return closed.error().find(std::strerror(EFBIG)) == std::string::npos ? -1 : EFBIG;
+            }),
+            EFBIG);
+  auto reader = LogReader::open(path);
+  ASSERT_TRUE(reader);
+  LogMessage message;
+  int messages = 0;
+  while (reader->next(message)) ++messages;
+  EXPECT_GT(messages, 20);
 }
 
 TEST_F(Confined, LengthensNoFileThatItWasGiven) {
@@ -205,11 +266,6 @@ TEST_F(Confined, LiftsNoLimit) {
               return errorOf(setrlimit(RLIMIT_AS, &more) == 0);
             }),
             EPERM);
-}
-
-// Kelpie's own behaviours and teams, beside the programs.
-std::string ownFolder() {
-  return fs::canonical(fs::canonical("/proc/self/exe").parent_path() / "../share/kelpie").string();
 }
 
 TEST(Confinement, ATeamFromElsewhereIsConfinedUnlessItIsTrusted) {

@@ -229,9 +229,14 @@ def test_jsonl_has_one_object_a_frame(match, tmp_path):
     assert list(objects[-1]) == [
         "frame", "t_s", "dropped_frames", "game", "control_refused", "percepts", "gaps",
         "field_edge", "line_points", "obstacle_points", "obstacles_ahead", "refused",
-        "gps_refused", "pose", "camera_tilt", "focal_scale", "image_lag_s", "light", "modes",
-        "ball", "team_ball", "opponents", "teammates", "obstacles", "pink_map", "command"]
+        "gps_refused", "pose", "camera_tilt", "focal_scale", "image_lag_s", "odometry_errors",
+        "moved_landmarks", "light", "modes", "ball", "team_ball", "opponents", "teammates",
+        "obstacles", "pink_map", "command"]
     assert set(objects[-1]["pose"]) == {"x_cm", "y_cm", "heading_deg", "sd_cm", "sd_deg", "stuck"}
+    assert list(objects[-1]["odometry_errors"]) == [
+        "scale_ahead", "scale_ahead_sd", "scale_aside", "scale_aside_sd", "turn_rate_deg",
+        "turn_rate_sd_deg"]
+    assert objects[-1]["moved_landmarks"] == []
     seen = [percept for o in objects for percept in o["percepts"]]
     assert {"ball", "beacon_pb"} <= {percept["kind"] for percept in seen}
     assert all(abs(percept["heading_deg"]) <= 180 and percept["distance_cm"] >= 0 and

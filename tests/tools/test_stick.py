@@ -165,6 +165,21 @@ def test_a_stick_written_twice_is_identical_in_8_3_and_small(tmp_path):
                              "OPEN-R/MW/DATA/P/STICK.BIN", "OPEN-R/SYSTEM/CONF/VRCOMM.CFG"]
 
 
+@pytest.mark.skipif(shutil.which("mformat") is None, reason="mtools is not installed")
+def test_images_of_the_same_behaviours_of_another_folder_and_day_are_identical(tmp_path):
+    shutil.copytree(ROOT / "pycode", tmp_path / "one")
+    for path in sorted((tmp_path / "one").rglob("*.py"), reverse=True):  # in another order, too
+        copy = tmp_path / "another" / path.relative_to(tmp_path / "one")
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_bytes(path.read_bytes())
+        os.utime(copy, (1_300_000_000, 1_300_000_000))
+    for name in ("one", "another"):
+        result = stick("--pycode", tmp_path / name, "--out", tmp_path / f"{name}.img")
+        assert result.returncode == 0, result.stderr
+        time.sleep(2.1)  # FAT keeps times in steps of two seconds
+    assert (tmp_path / "one.img").read_bytes() == (tmp_path / "another.img").read_bytes()
+
+
 def test_the_robots_jam_detection_is_relaxed_unless_it_is_kept(parts):
     path = parts / "mount/OPEN-R/SYSTEM/CONF/VRCOMM.CFG"
     words = [*all_options(parts), "--install", parts / "mount"]

@@ -26,7 +26,8 @@ class Reading {
     if (found.frames++ == 0) found.first = seconds;
     found.last = seconds;
     if (within && decodeAs(message, *output_))
-      visit_({seconds, output_->frame, inputKnown_ && input_->drive.present, output_->command});
+      visit_({seconds, output_->frame, inputKnown_ && input_->drive.present, output_->command,
+              output_->world});
     inputKnown_ = false;
     return Done{};
   }

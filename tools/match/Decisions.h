@@ -10,6 +10,7 @@
 #include "robot/core/Expected.h"
 #include "robot/core/types/Command.h"
 #include "robot/core/types/FrameInput.h"
+#include "robot/core/types/WorldModel.h"
 
 namespace kelpie::match {
 
@@ -18,6 +19,7 @@ struct Decision {
   std::uint32_t frame = 0;
   bool driven = false;  // by a person: the behaviours were not asked
   const Command& command;
+  const WorldModel& world;  // what it was made from
 };
 
 struct Span {

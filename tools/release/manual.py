@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """manual.py KELPIE OUT --version V: writes the page that `man kelpie` shows (kelpie.1.gz), the
 words that bash completes (kelpie) and CHANGELOG.md packed (changelog.gz) into the folder OUT.
+manual.py PROGRAM OUT --version V --of NAME: of the program that `kelpie NAME` starts the page
+kelpie-NAME.1.gz alone.
 
 Everything comes from the program's own --help, of each subcommand in turn, so neither can fall
 behind it. A path into the data of the build that is asked, as a default value shows it, becomes the
@@ -26,9 +28,11 @@ WORD = re.compile(r"--?[A-Za-z][\w-]*")
 class Command:
     """A command as its help describes it: sections by their title, each a list of (name, text)."""
 
-    def __init__(self, program, words):
+    def __init__(self, program, words, given=None):
+        """`given`: the words that the program wants, where it does not want those behind kelpie."""
         self.words, self.about, self.sections, self.end = words, "", {}, ""
-        done = subprocess.run([program, *words[1:], "--help"], capture_output=True, text=True,
+        given = words[1:] if given is None else given
+        done = subprocess.run([program, *given, "--help"], capture_output=True, text=True,
                               check=True, timeout=60)
         data = (Path(program).parent.parent / "share/kelpie").resolve()
         self.read(done.stdout.replace(str(data), INSTALLED))
@@ -61,8 +65,8 @@ def roff(text):
     return re.sub(r"(?m)^\.", r"\\&.", escaped)
 
 
-def entries(command):
-    for title in ("Positionals", "Options"):
+def entries(command, titles=("Positionals", "Options")):
+    for title in titles:
         for name, text in command.sections.get(title, ()):
             yield f".TP\n\\fB{roff(name)}\\fR\n{roff(text) or '.'}\n"
 
@@ -73,9 +77,13 @@ def all_below(command):
         yield from all_below(one)
 
 
-def manual(top, version):
+def heading(name, version):
     day = time.strftime("%Y-%m-%d", time.gmtime(int(os.environ.get("SOURCE_DATE_EPOCH", "0"))))
-    parts = [f'.TH KELPIE 1 "{day}" "kelpie {version}"\n.SH NAME\nkelpie \\- robot soccer of the '
+    return f'.TH {roff(name.upper())} 1 "{day}" "kelpie {version}"\n.SH NAME\n{roff(name)} \\- '
+
+
+def manual(top, version):
+    parts = [f"{heading('kelpie', version)}robot soccer of the "
              f"AIBO ERS\\-7, simulated\n.SH SYNOPSIS\n.B kelpie\n[\\fIOPTIONS\\fR] "
              f"\\fISUBCOMMAND\\fR ...\n.SH DESCRIPTION\n{roff(top.about)}\n.SH OPTIONS\n",
              *entries(top), ".SH SUBCOMMANDS\n"]
@@ -84,8 +92,19 @@ def manual(top, version):
     for one in all_below(top):
         parts += [f".SH {roff(' '.join(one.words).upper())}\n{roff(one.about)}\n", *entries(one)]
     parts += [".SH EXIT STATUS\n", roff(top.end.replace("Exit codes: ", "")), "\n.SH FILES\n.TP\n",
-              f"{INSTALLED}\nBehaviours, teams, the studio's page.\n"]
+              f"{INSTALLED}\nBehaviours, teams, the studio's page.\n",
+              ".SH SEE ALSO\n.BR kelpie\\-evaluate (1),\nof the package kelpie\\-dev\n"]
     return "".join(parts)
+
+
+def manual_of_one(one, version):
+    """Of a command that has other lists than options, such as its experiments: each is a part."""
+    words = " ".join(one.words)
+    parts = [f"{heading('-'.join(one.words), version)}{roff(one.about)}\n.SH SYNOPSIS\n"
+             f".B {roff(words)}\n[\\fIOPTIONS\\fR] ...\n.SH OPTIONS\n", *entries(one)]
+    for title in sorted(one.sections.keys() - {"Positionals", "Options"}):
+        parts += [f".SH {roff(title.upper())}\n", *entries(one, [title])]
+    return "".join([*parts, ".SH SEE ALSO\n.BR kelpie (1)\n"])
 
 
 COMPLETION = """# SPDX-License-Identifier: Apache-2.0
@@ -121,8 +140,13 @@ def main():
     parser.add_argument("program", metavar="KELPIE")
     parser.add_argument("out", type=Path, metavar="OUT")
     parser.add_argument("--version", required=True)
+    parser.add_argument("--of", metavar="NAME")
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
+    if options.of:
+        page = manual_of_one(Command(options.program, ["kelpie", options.of], []), options.version)
+        (options.out / f"kelpie-{options.of}.1.gz").write_bytes(packed(page))
+        return
     top = Command(options.program, ["kelpie"])
     (options.out / "kelpie.1.gz").write_bytes(packed(manual(top, options.version)))
     (options.out / "kelpie").write_text(completion(top))

@@ -1,14 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""sbom.py write OUT --version V --build DIR PROGRAM...: what the programs are made of, as
-OUT/kelpie.spdx.json (SPDX 2.3), with OUT/copyright and the licences' texts in OUT/licences/.
+"""sbom.py write OUT --version V --build DIR [--name NAME] PROGRAM...: what the programs are made
+of, as OUT/NAME.spdx.json (SPDX 2.3), with OUT/copyright and the licences' texts in OUT/licences/.
+NAME is that of the package, kelpie if it is not given.
 sbom.py check FILE PROGRAM...: whether that file names every library that ldd finds; exit code 1:
 no.
 
 Nothing is listed by hand. Libraries come from ldd, headers that are compiled in from what ninja
-recorded of each compilation, and both from Debian's packages, whose copyright files name the
-licences; the studio's page from its package-lock.json, without what only builds it. Fails on a file
-that no package holds. Same inputs, same bytes: the date is that of SOURCE_DATE_EPOCH."""
+recorded of each compilation that a program is made by, and both from Debian's packages, whose
+copyright files name the licences; the studio's page, which is in the package kelpie, from its
+package-lock.json, without what only builds it. Fails on a file that no package holds. Same inputs,
+same bytes: the date is that of SOURCE_DATE_EPOCH."""
 
 import argparse
 import hashlib
@@ -27,8 +29,8 @@ LICENCE = re.compile(r"(?m)^License:[ \t]*(\S.*)$")
 LOCK = ROOT / "tools/studio/page/package-lock.json"
 COPYRIGHT = """Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: Kelpie
-Comment: What the programs are linked with or compiled from is listed in kelpie.spdx.json beside
- this file, with the licences' texts in licences/.
+Comment: What the programs are linked with or compiled from is listed in %s.spdx.json
+ beside this file, with the licences' texts in licences/.
 
 Files: *
 Copyright: the authors of Kelpie
@@ -55,15 +57,32 @@ def libraries(programs):
                                                                                    program))})
 
 
-def headers(build):
-    """Headers outside the tree of everything that was compiled but tests."""
-    found, wanted = set(), False
+def objects(build, names):
+    """Objects that ninja makes these targets of."""
+    said = output_of("ninja", "-C", build, "-t", "inputs", *names)
+    return {line for line in said.splitlines() if line.endswith(".o")}
+
+
+def files_of(build, wanted):
+    """Object -> what its compiler read, the source first, as ninja recorded it."""
+    found, files = {}, []
     for line in output_of("ninja", "-C", build, "-t", "deps").splitlines():
-        if line.startswith("    /usr/"):
-            found.update([line.strip()] if wanted else [])
-        elif line.strip() and not line.startswith(" "):
-            wanted = not line.startswith("tests/")
-    return sorted(found)
+        if line.startswith("    "):
+            files.append(os.path.normpath(os.path.join(build, line.strip())))
+        elif line:
+            name, files = line.partition(": #deps")[0], []
+            found.update({name: files} if name in wanted else {})
+    if wanted - found.keys():
+        raise Trouble(f"{build}: ninja does not know what {min(wanted - found.keys())} is made of")
+    return found
+
+
+def headers(build, programs):
+    """Headers outside the tree, of what these programs are made of: what is compiled at the same
+    time, or was left by an older build, is not in them."""
+    names = [os.path.relpath(program, build) for program in programs]
+    return sorted({path for files in files_of(build, objects(build, names)).values()
+                   for path in files if path.startswith("/usr/")})
 
 
 def owners(paths):
@@ -126,41 +145,54 @@ def page_entries():
                         sourceInfo="bundled into the studio's page")
 
 
-def document(version, groups):
-    own = entry("kelpie", version, "Apache-2.0")
+def document(own, groups, tool="sbom.py"):
+    """Of the package `own`; groups are (kind of relationship, the entries of that kind)."""
+    name, version = own["name"], own["versionInfo"]
     packages = [own, *(one for _, entries in groups for one in entries)]
     text = json.dumps(packages, sort_keys=True)
     stamp = time.gmtime(int(os.environ.get("SOURCE_DATE_EPOCH", "0")))
     related = [{"spdxElementId": own["SPDXID"], "relationshipType": kind,
                 "relatedSpdxElement": one["SPDXID"]} for kind, entries in groups for one in entries]
     return {"spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT",
-            "name": f"kelpie-{version}",
-            "documentNamespace": f"https://example.org/kelpie/{version}/"
+            "name": f"{name}-{version}",
+            "documentNamespace": f"https://example.org/{name}/{version}/"
                                  f"{hashlib.sha256(text.encode()).hexdigest()[:16]}",
             "creationInfo": {"created": time.strftime("%Y-%m-%dT%H:%M:%SZ", stamp),
-                             "creators": ["Tool: tools/release/sbom.py"]},
+                             "creators": [f"Tool: tools/release/{tool}"]},
             "documentDescribes": [own["SPDXID"]],
             "packages": packages, "relationships": related}
 
 
-def write(out, version, build, programs):
-    linked, compiled = owners(libraries(programs)), owners(headers(build))
-    groups = [
-        ("DYNAMIC_LINK", [debian_entry(package, map(os.path.basename, files), "linked")
-                          for package, files in sorted(linked.items())]),
-        ("STATIC_LINK", [debian_entry(package, [f"{len(files)} headers"], "compiled in")
-                         for package, files in sorted(compiled.items())]),
-        ("CONTAINS", list(page_entries()))]
-    shutil.rmtree(out / "licences", ignore_errors=True)
-    (out / "licences").mkdir(parents=True)
-    for package in sorted({*linked, *compiled}):
+def compiled_entries(owned):
+    return [debian_entry(package, [f"{len(files)} headers"], "compiled in")
+            for package, files in sorted(owned.items())]
+
+
+def copy_licences(packages, to):
+    """The copyright files of these Debian packages, into a folder that is made anew."""
+    shutil.rmtree(to, ignore_errors=True)
+    to.mkdir(parents=True)
+    for package in sorted(packages):
         source = Path("/usr/share/doc") / package / "copyright"
         if not source.is_file():
             raise Trouble(f"{source}: no licence of what is linked")
-        shutil.copyfile(source, out / "licences" / package)
-    (out / "copyright").write_text(COPYRIGHT)
-    (out / "kelpie.spdx.json").write_text(
-        json.dumps(document(version, groups), indent=1, sort_keys=True) + "\n")
+        shutil.copyfile(source, to / package)
+
+
+def save(made, path):
+    path.write_text(json.dumps(made, indent=1, sort_keys=True) + "\n")
+
+
+def write(out, own, build, programs):
+    linked, compiled = owners(libraries(programs)), owners(headers(build, programs))
+    groups = [
+        ("DYNAMIC_LINK", [debian_entry(package, map(os.path.basename, files), "linked")
+                          for package, files in sorted(linked.items())]),
+        ("STATIC_LINK", compiled_entries(compiled)),
+        ("CONTAINS", list(page_entries()) if own["name"] == "kelpie" else [])]
+    copy_licences({*linked, *compiled}, out / "licences")
+    (out / "copyright").write_text(COPYRIGHT % own["name"])
+    save(document(own, groups), out / f"{own['name']}.spdx.json")
 
 
 def missing(text, programs):
@@ -178,12 +210,14 @@ def main():
     writes.add_argument("out", type=Path, metavar="OUT")
     writes.add_argument("--version", required=True)
     writes.add_argument("--build", type=Path, required=True)
+    writes.add_argument("--name", default="kelpie")
     checks.add_argument("file", type=Path, metavar="FILE")
     for command in (writes, checks):
         command.add_argument("programs", nargs="+", metavar="PROGRAM")
     options = parser.parse_args()
     if options.command == "write":
-        write(options.out, options.version, options.build, options.programs)
+        own = entry(options.name, options.version, "Apache-2.0")
+        write(options.out, own, options.build, options.programs)
         return 0
     left = missing(options.file.read_text(), options.programs)
     print("\n".join(f"{options.file}: does not name {name}" for name in left), end="\n" * any(left))

@@ -11,7 +11,9 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <initializer_list>
 #include <memory>
@@ -60,9 +62,25 @@ Expected<bool> keepFromFiles(const std::vector<std::string>& readable) {
   return true;
 }
 
+// A lower limit of the user's own stays: more than a hard one cannot be had, and the match goes on.
 Status limit(__rlimit_resource_t what, std::uint64_t most) {
-  const rlimit both{most, most};
+  rlimit both{};
+  if (getrlimit(what, &both) != 0) return failed("getrlimit", errno);
+  both.rlim_max = both.rlim_cur = std::min<rlim_t>(most, both.rlim_cur);
   if (setrlimit(what, &both) != 0) return failed("setrlimit", errno);
+  return Done{};
+}
+
+// A write past the longest file is to fail, so that the log's end is told: its signal would kill.
+Status limitAll(const Confinement& limits) {
+  if (std::signal(SIGXFSZ, SIG_IGN) == SIG_ERR) return failed("signal", errno);
+  for (const auto& [what, most] :
+       {std::pair{RLIMIT_AS, limits.memory}, std::pair{RLIMIT_FSIZE, limits.fileSize},
+        std::pair{RLIMIT_NOFILE, limits.descriptors}, std::pair{RLIMIT_CPU, limits.seconds},
+        std::pair{RLIMIT_CORE, std::uint64_t{0}}}) {
+    const Status set = limit(what, most);
+    if (!set) return set;
+  }
   return Done{};
 }
 
@@ -205,15 +223,12 @@ Status keepFromCalls() {
 }  // namespace
 
 Expected<bool> confine(const Confinement& limits) {
-  for (const auto& [what, most] :
-       {std::pair{RLIMIT_AS, limits.memory}, std::pair{RLIMIT_CPU, limits.seconds},
-        std::pair{RLIMIT_CORE, std::uint64_t{0}}}) {
-    const Status set = limit(what, most);
-    if (!set) return Error{set.error()};
-  }
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failed("prctl", errno);
   const Expected<bool> files = keepFromFiles(limits.readable);
   if (!files) return files;
+  // Only now: Landlock's rules need two descriptors, and without one would pass for not there.
+  const Status limited = limitAll(limits);
+  if (!limited) return Error{limited.error()};
   const Status calls = keepFromCalls();
   if (!calls) return Error{calls.error()};
   return files;

@@ -37,6 +37,7 @@ AgentLoops::AgentLoops(const AgentConfig& config, const std::string& scripts, Lo
       startingTilt_(gps::startingTilt(config.gps.tilt)),
       startingFocal_(gps::startingFocal(config.gps.focal)),
       startingLag_(gps::startingLag(config.gps.lag)),
+      cameraSettings_(config.camera),
       listens_(config.game),
       game_(net::listenerFor(config.team, config.player)) {}
 

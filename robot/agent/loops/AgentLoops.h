@@ -31,6 +31,7 @@ class AgentLoops : public Loops {
   const MotionOutput& motion(const MotionInput& withoutCommand) override;
   const MotorsOut& motors() const override { return motors_; }
   void power(const PowerReport& report) override { power_ = report; }
+  CameraSettings cameraSettings() const override { return cameraSettings_; }
   void camera(const Image& image, TimeUs exposureMiddle, std::uint32_t number) override;
   // The same where nothing is rendered: the FrameInput has no image, and vision is not asked.
   void look(Sight& sight, TimeUs exposureMiddle, std::uint32_t number);
@@ -59,6 +60,7 @@ class AgentLoops : public Loops {
   FocalScale startingFocal_;
   ImageLag startingLag_;
   StageObserver silent_;
+  CameraSettings cameraSettings_;
   net::ListenerParams listens_;
   net::ListenerState game_;
   Drive drive_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "behaviour/RecentReports.h"
+#include "robot/agent/CameraSettings.h"
 #include "robot/agent/joints/Motors.h"
 #include "robot/agent/joints/PowerReport.h"
 #include "robot/core/types/ControlPacket.h"
@@ -26,6 +27,9 @@ class Loops {
 
   // At the start, and when something of it has changed.
   virtual void power(const PowerReport& report) = 0;
+
+  // What the camera is to be set to: another one when a robot has read its stick.
+  virtual CameraSettings cameraSettings() const { return {}; }
 
   // Every image that arrives, with the camera's own number of it, which tells how many did not. The
   // image is valid during the call only.

@@ -9,6 +9,7 @@
 #include "robot/core/FixedVector.h"
 #include "robot/core/types/CameraModel.h"
 #include "robot/core/types/Geometry.h"
+#include "robot/core/types/LastingErrors.h"
 #include "robot/core/types/ObstacleCells.h"
 #include "robot/core/types/TeamEstimates.h"
 #include "robot/core/types/TeamMessage.h"
@@ -105,6 +106,8 @@ struct WorldModel {
   CameraTilt cameraTilt;  // of that mode
   FocalScale focalScale;
   ImageLag imageLag;
+  OdometryErrorEstimate odometryErrors;
+  MovedLandmarks movedLandmarks;  // by kind
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;  // since field lines corrected or weighed the modes
   double stuck = 0.0;  // share of the walked way that is thought lost because something holds us
@@ -128,6 +131,8 @@ struct WorldModel {
         field("headingSd", &WorldModel::headingSd, "rad", 0, 180),
         field("cameraTilt", &WorldModel::cameraTilt), field("focalScale", &WorldModel::focalScale),
         field("imageLag", &WorldModel::imageLag),
+        field("odometryErrors", &WorldModel::odometryErrors),
+        field("movedLandmarks", &WorldModel::movedLandmarks),
         field("secondsSinceLandmark", &WorldModel::secondsSinceLandmark, "s", 0, 1e6),
         field("secondsSinceLines", &WorldModel::secondsSinceLines, "s", 0, 1e6),
         field("stuck", &WorldModel::stuck, "", 0, 1), field("modes", &WorldModel::modes),

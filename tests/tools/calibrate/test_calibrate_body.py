@@ -31,6 +31,7 @@ def test_a_log_gives_a_file_of_parameters_that_play_takes_and_a_picture(stand, t
     assert picture.read_bytes()[:4] == b"\x89PNG"
     text = params.read_text()
     assert "[body]\n" in text and "neckTiltOffset = \"" in text and "# sd 0." in text
+    assert "[vision.beacon]\nedgeBias = \"" in text
     played = kelpie("play", "--seconds", "1", "--no-film", "--params", params, "--out",
                     tmp_path / "out")
     assert played.returncode == 0 and "no goal in 1 s" in played.stdout, played.stderr

@@ -57,3 +57,16 @@ def test_a_subcommand_that_comes_is_named(tree):
     more = 'app.subcommand("sing", "Sings");\ncommand.option("--seed", seed, "");\n'
     assert "does not name sing" in said(tree, more)
     assert said(tree, page="- `kelpie sing`\n") == ""
+
+
+@pytest.mark.parametrize("path, line, word", [
+    ("tools/farm/main.py", "command.add_argument('--fields', default=1)\n", "--fields"),
+    ("tools/farm/main.py", "commands.add_parser('harvest')\n", "harvest"),
+    ("tools/percepts/main.cpp", 'app.flag("--dim", dim, "");\n', "--dim")])
+def test_words_of_the_farm_and_of_the_world_without_pixels_are_looked_at_too(tree, path, line,
+                                                                             word):
+    (tree / path).parent.mkdir()
+    (tree / path).write_text(line)
+    subprocess.run(["git", "-C", tree, "add", path], check=True)
+    assert f"does not name {word}," in said(tree)
+    assert said(tree, page=f"Options: --old-seed, `{word}`.\n") == ""

@@ -12,6 +12,7 @@ from conftest import BIN, ROOT, kelpie
 
 BUILD = BIN.parent
 PROGRAMS = [BIN / "kelpie", BIN / "kelpie-world"]
+EXPERIMENTS = BIN / "kelpie-experiments"
 
 
 def run(*words, **more):
@@ -30,8 +31,22 @@ def files_of_a_release(tmp_path_factory):
     return out
 
 
-def manual(release):
-    return run("zcat", release / "kelpie.1.gz").stdout.replace("\\-", "-")
+@pytest.fixture(scope="module", name="dev_release")
+def files_of_the_second_package(tmp_path_factory):
+    if not EXPERIMENTS.is_file():
+        pytest.skip("kelpie-experiments is not built")
+    out = tmp_path_factory.mktemp("dev")
+    for words in (["manual.py", EXPERIMENTS, out, "--of", "evaluate"],
+                  ["sbom.py", "write", out, "--build", BUILD, "--name", "kelpie-dev",
+                   EXPERIMENTS]):
+        done = run("/usr/bin/python3", ROOT / "tools/release" / words[0], *words[1:], "--version",
+                   "1.2")
+        assert done.returncode == 0, done.stderr
+    return out
+
+
+def manual(release, name="kelpie"):
+    return run("zcat", release / f"{name}.1.gz").stdout.replace("\\-", "-")
 
 
 def test_the_manual_has_every_subcommand_and_its_options(release):
@@ -50,6 +65,16 @@ def test_the_manual_shows_installed_paths(release):
     assert "/usr/share/kelpie/pycode" in page and str(ROOT) not in page
 
 
+def test_the_second_package_has_a_page_of_every_option_and_experiment(dev_release):
+    page, said = manual(dev_release, "kelpie-evaluate"), run(EXPERIMENTS, "--help").stdout
+    names = [line.split()[0] for line in said.split("Experiments:\n")[1].splitlines() if line]
+    assert len(names) > 40 and page.startswith('.TH KELPIE-EVALUATE 1 "')
+    for name in names:
+        assert f"\n.TP\n\\fB{name}\\fR\n" in page, name
+    assert "\\fB--trials" in page and ".B kelpie evaluate\n" in page and str(ROOT) not in page
+    assert {path.name for path in dev_release.glob("*.gz")} == {"kelpie-evaluate.1.gz"}
+
+
 def test_bash_completes_subcommands_options_and_those_of_a_subcommand(release):
     def completed(*words):
         listed = " ".join(f"'{word}'" for word in words)
@@ -62,9 +87,9 @@ def test_bash_completes_subcommands_options_and_those_of_a_subcommand(release):
     assert completed("kelpie", "calibrate", "ri") == ["ring"]
 
 
-def check(release, *programs):
+def check(release, *programs, name="kelpie"):
     return run("/usr/bin/python3", ROOT / "tools/release/sbom.py", "check",
-               release / "kelpie.spdx.json", *programs)
+               release / f"{name}.spdx.json", *programs)
 
 
 def test_every_library_that_the_loader_loads_is_named(release, tmp_path):
@@ -86,6 +111,25 @@ def test_all_that_is_linked_compiled_in_or_bundled_has_a_licence(release):
             assert (release / "licences" / one["name"]).stat().st_size > 100, one["name"]
         else:
             assert one["licenseDeclared"] != "NOASSERTION", one["name"]
+
+
+def test_the_second_package_names_what_its_program_loads_with_the_licences(dev_release):
+    assert check(dev_release, EXPERIMENTS, name="kelpie-dev").returncode == 0
+    packages = json.loads((dev_release / "kelpie-dev.spdx.json").read_text())["packages"]
+    assert packages[0]["name"] == "kelpie-dev"
+    assert "three" not in {one["name"] for one in packages}  # the studio's page is in the first
+    for one in packages[1:]:
+        assert (dev_release / "licences" / one["name"]).stat().st_size > 100, one["name"]
+    assert "kelpie-dev.spdx.json" in (dev_release / "copyright").read_text()
+
+
+def test_a_program_is_not_made_of_the_experiments_or_tests_that_are_built_beside_it():
+    """The list would depend on how far those are."""
+    code = (f"import sys; sys.path.insert(0, '{ROOT}/tools/release'); import sbom; "
+            f"print(*sbom.objects('{BUILD}', ['bin/kelpie']))")
+    objects = run("/usr/bin/python3", "-B", "-c", code).stdout.split()
+    assert any(name.startswith("tools/cli/") for name in objects)
+    assert not [name for name in objects if name.startswith(("tests/", "tools/experiments/"))]
 
 
 def test_identifiers_are_unique_and_relationships_point_to_them(release):

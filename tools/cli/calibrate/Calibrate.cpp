@@ -63,6 +63,7 @@ void addCalibrate(CommandLine& app, int& code) {
   command.requireSubcommand();
   addCalibrateBody(command, code);
   addCalibrateTime(command, code);
+  addCalibrateLight(command, code);
   addCalibrateInfrared(command, code);
   addCalibrateRing(command, code);
   addCalibrateColour(command, code);

@@ -14,6 +14,7 @@ void addCalibrateBody(CommandLine& command, int& code);
 void addCalibrateFast(CommandLine& command, int& code);
 void addCalibrateInfrared(CommandLine& command, int& code);
 void addCalibrateKicks(CommandLine& command, int& code);
+void addCalibrateLight(CommandLine& command, int& code);
 void addCalibrateMotion(CommandLine& command, int& code);
 void addCalibrateRing(CommandLine& command, int& code);
 void addCalibrateColour(CommandLine& command, int& code);

@@ -71,6 +71,14 @@ std::string parameterFile(const std::vector<Estimated>& unknowns, const std::str
   return "# " + inOneLine(heading) + "\n" + body + (lens.empty() ? "" : "\n[body.lens]\n" + lens);
 }
 
+// By how much a beacon's both ends are seen too far out, as vision takes it away again.
+std::string beaconBiasOf(const std::vector<Estimated>& unknowns) {
+  const Estimated& spread = unknowns[calibrate::kSpread];
+  if (!spread.observed) return "";
+  return fmt::format("\n[vision.beacon]\nedgeBias = \"{:.3f}px\"  # sd {:.2g}\n",
+                     2.0 * spread.value, 2.0 * spread.sd);
+}
+
 // What this camera adds to the sizes that vision measures, as vision's parameters.
 std::string biasesOf(const calibrate::SizeFit& fit) {
   const auto [ball, beacon, goal] = fit.optics;
@@ -121,7 +129,8 @@ void tell(const BodyEstimate& e) {
   fmt::print("{:<21} {:>9}    {:<6} {:>8}\n", "body parameter", "found", "sd", "was");
   for (const Estimated& one : e.unknowns) {
     if (one.unknown == calibrate::kBodyUnknowns)
-      fmt::print("\nfound beside them, in no file of parameters\n");
+      fmt::print(
+          "\nfound beside them; of these a file of parameters holds the beacon's ends alone\n");
     tellOne(one);
   }
   fmt::print("\n{:<18} median miss before -> after\n", "sightings");
@@ -147,7 +156,8 @@ int fromLog(const BodyOptions& options) {
   const Status within = checkRanges(estimate->unknowns);
   if (!within) return fail(within.error(), kExitBadInput);
   const int code = write(
-      options, parameterFile(estimate->unknowns, "kelpie calibrate body from " + options.input));
+      options, parameterFile(estimate->unknowns, "kelpie calibrate body from " + options.input) +
+                   beaconBiasOf(estimate->unknowns));
   if (!options.picture.empty()) {
     const Status drawn = calibrate::writeResidualPicture(*estimate, options.picture);
     if (!drawn) return fail(drawn.error(), kExitBadInput);

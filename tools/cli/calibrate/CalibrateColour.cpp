@@ -6,6 +6,7 @@
 
 #include "tools/calibrate/colour/KernelTrainer.h"
 #include "tools/calibrate/colour/Labels.h"
+#include "tools/calibrate/colour/Surfaces.h"
 #include "tools/calibrate/colour/TablePicture.h"
 #include "tools/cli/Commands.h"
 #include "tools/cli/WholeFile.h"
@@ -44,7 +45,19 @@ comment:
 
 A quarter of the pixels is held out to judge by; the printed table has a row for each labelled class
 and a column for what the new colour table makes of it.
+
+Beside the table a file of parameters is written, TABLE.toml: what carpet (green), lines (white),
+blue, yellow and pink look like in the light of the labels. The two go together: with both the
+table follows the light, with the table alone it stays as it is.
+  kelpie calibrate colour labels.csv --out my.tab
+  kelpie play --colour-table my.tab --params my.tab.toml
 )";
+
+// A table, and what its surfaces look like in its light, if that is known.
+struct LitTable {
+  vision::ColourTable table;
+  Expected<vision::LightParams> light;
+};
 
 // The classes by name, and by the numbers that the 2005 release gave them.
 std::string help() {
@@ -84,7 +97,7 @@ void printConfusion(const calibrate::Confusion& confusion) {
 }
 
 // Judges on a part held out, then trains on everything.
-Expected<vision::ColourTable> train(const ColourOptions& options, std::string& provenance) {
+Expected<LitTable> train(const ColourOptions& options, std::string& provenance) {
   const auto pixels = readLabels(options);
   if (!pixels) return Error{pixels.error()};
   Random random(options.seed);
@@ -104,15 +117,47 @@ Expected<vision::ColourTable> train(const ColourOptions& options, std::string& p
       calibrate::accuracyOf(confusion), split.heldOut.size());
   fmt::print("{}\n", summary);
   provenance += "; " + summary;
-  return robotTable(trainClasses(*pixels, kernel, bits));
+  return LitTable{robotTable(trainClasses(*pixels, kernel, bits)), calibrate::surfacesOf(*pixels)};
 }
 
-Expected<vision::ColourTable> makeTable(const ColourOptions& options, std::string& provenance) {
+Expected<LitTable> makeTable(const ColourOptions& options, std::string& provenance) {
   if (endsIn(options.input, ".csv") || endsIn(options.input, ".txt"))
     return train(options, provenance);
   const auto calibration = vision::loadCalibration(options.input, "none");
   if (!calibration) return Error{calibration.error()};
-  return calibration->colour;
+  if (options.input == "nominal") return LitTable{calibration->colour, vision::LightParams{}};
+  return LitTable{calibration->colour, Error{"a table does not tell what its surfaces look like"}};
+}
+
+std::string surfaceText(const vision::LightParams& light, const std::string& heading) {
+  std::string text = "# " + inOneLine(heading) + "\n[vision.light]\nfollow = true\n";
+  for (const auto& surface : calibrate::kLitSurfaces) {
+    const vision::SurfaceColour& colour = light.*surface.member;
+    text += fmt::format(
+        "\n[vision.light.{}]\ny = \"{:.0f}levels\"\ncr = \"{:.0f}levels\"\ncb = "
+        "\"{:.0f}levels\"\n",
+        surface.name, colour.y, colour.cr, colour.cb);
+  }
+  return text;
+}
+
+// One of an earlier table under the same name would go with this one and be wrong.
+Status takeAway(const std::string& file) {
+  std::error_code error;
+  const bool was = std::filesystem::remove(file, error);
+  if (error) return Error{file + ": is of another table, and cannot be removed"};
+  if (was) fmt::print("{}: removed, it was of another table\n", file);
+  return Done{};
+}
+
+std::string surfaceFileOf(const std::string& table) { return table + ".toml"; }
+
+Status writeSurfaces(const Expected<vision::LightParams>& light, const std::string& out) {
+  const std::string file = surfaceFileOf(out);
+  if (light)
+    return writeParameterFile(file, surfaceText(*light, "kelpie calibrate colour, of " + out));
+  fmt::print("{}: so with this table the light is not followed\n", light.error());
+  return takeAway(file);
 }
 
 // An option that has nothing to act on is a slip: reported, not passed over.
@@ -126,25 +171,27 @@ Status checkUse(const CommandLine& colour, const std::string& input) {
 }
 
 int calibrateColour(const ColourOptions& options) {
-  for (const auto& path : {options.out, options.picture}) {
+  for (const auto& path : {options.out, options.picture, surfaceFileOf(options.out)}) {
     const Status target = checkTarget(path, options.input);
     if (!target) return fail(target.error(), kExitBadInput);
   }
   std::string provenance = "kelpie calibrate colour from " + options.input;
-  const auto table = makeTable(options, provenance);
-  if (!table) return fail(table.error(), kExitBadInput);
+  const auto made = makeTable(options, provenance);
+  if (!made) return fail(made.error(), kExitBadInput);
   if (!options.note.empty()) provenance += "; " + options.note;
   // The picture first: a command that fails leaves an earlier table as it was.
   if (!options.picture.empty()) {
-    const Status drawn = calibrate::writeTablePicture(*table, options.picture);
+    const Status drawn = calibrate::writeTablePicture(made->table, options.picture);
     if (!drawn) return fail(drawn.error(), kExitBadInput);
     fmt::print("{}\n", options.picture);
   }
   const std::string part = options.out + ".part";
-  const Status saved = putInPlace(saveColourTable(*table, part, provenance), part, options.out);
+  const Status saved =
+      putInPlace(saveColourTable(made->table, part, provenance), part, options.out);
   if (!saved) return fail(saved.error(), kExitBadInput);
   fmt::print("{}\n", options.out);
-  return kExitDone;
+  const Status written = writeSurfaces(made->light, options.out);
+  return written ? kExitDone : fail(written.error(), kExitBadInput);
 }
 
 }  // namespace

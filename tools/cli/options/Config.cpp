@@ -41,6 +41,7 @@ void addSections(ParameterSet& set, agent::AgentConfig& config) {
   set.add("behaviour", config.behaviour);
   set.add("actuator", config.actuator);
   set.add("game", config.game);
+  set.add("camera", config.camera);
 }
 
 // KEY=NUMBER, with the key's unit if it has one, or true or false.
@@ -117,7 +118,8 @@ Status applyConfig(const ConfigOptions& options, agent::AgentConfig& config) {
   if (options.player > 0) config.player = static_cast<std::uint8_t>(options.player);
   const Status calibration = applyCalibration(options, config.calibration);
   if (!calibration) return calibration;
-  // A table from a file does not tell what its surfaces look like (LightParams); parameters may.
+  // A table from a file does not tell what its surfaces look like (LightParams); the parameters
+  // that `kelpie calibrate colour` writes beside it do, and put this on again.
   if (!options.colourTable.empty()) config.vision.light.follow = false;
   if (options.body != Body::asItIs) config.gps.stuck.byLoad = options.body == Body::physical;
   if (options.body == Body::fast) sim::makeFast({}, config.actuator);

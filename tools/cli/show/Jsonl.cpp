@@ -111,6 +111,8 @@ nlohmann::ordered_json frameObject(const FrameInput& input, const FrameOutput& o
           {"camera_tilt", cameraTilt(world.cameraTilt)},
           {"focal_scale", world.focalScale.ratio},
           {"image_lag_s", world.imageLag.seconds},
+          {"odometry_errors", fieldJson(world.odometryErrors)},
+          {"moved_landmarks", fieldJson(world.movedLandmarks)},
           {"light", fieldJson(seen.light.applied)},
           {"modes", fieldJson(world.modes)},
           {"ball", ball(world.ball)},

@@ -7,6 +7,7 @@
 
 #include "tools/cli/Commands.h"
 #include "tools/cli/options/Usage.h"
+#include "tools/match/BeliefWords.h"
 #include "tools/match/DecisionChanges.h"
 #include "tools/match/Decisions.h"
 #include "tools/match/TraceWords.h"
@@ -33,10 +34,11 @@ struct Kept {
   std::uint32_t frame = 0;
   bool driven = false;
   Command command;
+  MovedLandmarks movedLandmarks;
 };
 
-Kept kept(const Decision& decision) {
-  return {true, decision.seconds, decision.frame, decision.driven, decision.command};
+Kept kept(const Decision& d) {
+  return {true, d.seconds, d.frame, d.driven, d.command, d.world.movedLandmarks};
 }
 
 std::string whoIn(const DecisionLog& log) {
@@ -79,6 +81,7 @@ int whyAt(const WhyOptions& options) {
   fmt::print("Why:\n");
   if (!instead.empty()) fmt::print("  It is so because {}.\n", instead);
   for (const TraceStep& step : best.command.trace) fmt::print("  {}\n", sentenceOf(step));
+  for (const MovedLandmark& moved : best.movedLandmarks) fmt::print("{}\n", sentenceOf(moved));
   return ended(*log);
 }
 

@@ -71,7 +71,7 @@ WorldModel stepOf(Method method, sim::LocalisingRobot& robot) {
                              state.pose.modes))
     return world;
   gps::mergeAndPrune(robot.params.field, robot.params.modes, state.pose, state.counts);
-  return gps::extract(state, robot.params.ball);
+  return gps::extract(state, robot.params);
 }
 
 Outcome walk(Method method, bool landmarks, std::uint64_t seed) {
