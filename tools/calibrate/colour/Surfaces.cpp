@@ -21,6 +21,7 @@ constexpr double kMinChroma = 5.0;  // levels
 vision::SurfaceColour medianOf(const std::vector<Yuv>& pixels) {
   const auto median = [&](std::uint8_t Yuv::*channel) {
     std::vector<double> values;
+    values.reserve(pixels.size());
     for (const Yuv& p : pixels) values.push_back(p.*channel);
     return quantile(std::move(values), 0.5);
   };
