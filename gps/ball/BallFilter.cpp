@@ -6,7 +6,6 @@
 
 #include "gps/Refusal.h"
 #include "gps/ball/BallModels.h"
-#include "gps/camera/Lag.h"
 #include "robot/body/Camera.h"
 #include "robot/body/FieldDescription.h"
 
@@ -45,24 +44,22 @@ struct SightingSd {
   double across = 0.0;  // rad
 };
 
-SightingSd errorOf(const BallPercept& p, const FrameInput& input, const BallFilterParams& params) {
-  const double headSpeed = body::headSpeed(input.headRate);
+SightingSd errorOf(const BallPercept& p, double headSpeed, const BallFilterParams& params) {
   const double reported = maths::square(1.0 / p.distance) * p.distanceVariance;
   const double share =
       maths::clamp(reported, maths::square(params.minShare), maths::square(params.maxShare)) +
       maths::square(params.sharePerHeadSpeed * headSpeed);
   const double heading = p.headingVariance + maths::square(params.headingSd.rad()) +
-                         maths::square(params.headingLate * headSpeed) + lateVariance(input);
+                         maths::square(params.headingLate * headSpeed);
   return {std::sqrt(share), std::sqrt(heading)};
 }
 
-BallSighting sighting(const BallPercept& p, const FrameInput& input,
-                      const BallFilterParams& params) {
+BallSighting sighting(const BallPercept& p, double headSpeed, const BallFilterParams& params) {
   const Point2<Robot> at = robotPolar(p.distance, p.heading);
   const Vector2 along(at.x / p.distance, at.y / p.distance);
   const Vector2 across(-along(1), along(0));
   const double min = cut(p) ? kCutSd : params.minSd;
-  const SightingSd sd = errorOf(p, input, params);
+  const SightingSd sd = errorOf(p, headSpeed, params);
   const double radial = maths::square(std::max(sd.along * p.distance, min));
   const double sideways = maths::square(std::max(sd.across * p.distance, min));
   return {Vector2(at.x, at.y),
@@ -129,7 +126,7 @@ void supposeJump(const BallSighting& z, double elapsed, const BallFilterParams& 
 }
 
 void see(const BallIn& in, const BallFilterParams& params, BallState& state, GpsCounts& counts) {
-  const BallSighting z = sighting(in.percept, in.input, params);
+  const BallSighting z = sighting(in.percept, body::headSpeed(in.input.headRate), params);
   const double elapsed = elapsedOf(in.input);
   BallTrack& ball = state.track;
   const BallTrack before = ball;

@@ -124,19 +124,6 @@ TEST(Ball, SingleFalseSightingIsRefusedAndTheSecondBelieved) {
   EXPECT_NEAR(scene.step(true).ball.position.x, 60.0, 20.0);
 }
 
-// cm, across the sight of a ball a metre ahead while the head turns by 2 rad/s.
-double sdAcross(double lagSd) {
-  BallScene scene({180, 200, maths::kPi / 2}, 180, 300);
-  scene.robot.input.headRate.headPan = 2.0;
-  scene.robot.input.imageLag.variance = maths::square(lagSd);
-  for (int i = 0; i < 5; ++i) scene.step(true);
-  return std::sqrt(scene.step(true).ball.covariance[0]);
-}
-
-TEST(Ball, IsDoubtedAcrossWhileTheAgeOfImagesIsNotKnown) {
-  EXPECT_GT(sdAcross(0.04), 1.3 * sdAcross(0.002));
-}
-
 TEST(Ball, UnseenBallIsGivenUpAfterItsTimeWithGrowingVariance) {
   BallScene scene({180, 200, 0.9}, 60, 100);  // behind the robot
   scene.step(true);
