@@ -12,11 +12,13 @@
 namespace kelpie::gps {
 namespace {
 
+double sdOf(double variance) { return std::sqrt(std::max(0.0, variance)); }
+
 // Root of the larger eigenvalue of the position's 2 x 2 block.
 double positionSd(const std::array<double, 9>& c) {
   const double mean = 0.5 * (c[0] + c[4]);
   const double half = 0.5 * (c[0] - c[4]);
-  return std::sqrt(std::max(0.0, mean + std::sqrt(half * half + c[1] * c[1])));
+  return sdOf(mean + std::sqrt(half * half + c[1] * c[1]));
 }
 
 // What is believed of the error of the heaviest mode's place, the other modes' included: while one
@@ -35,8 +37,6 @@ std::array<double, 9> covarianceAboutBest(const Modes& modes) {
   }
   return sum;
 }
-
-double sdOf(double variance) { return std::sqrt(std::max(0.0, variance)); }
 
 OdometryErrorEstimate odometryErrorsOf(const OdometryErrors& errors) {
   const auto& mean = errors.mean;
@@ -105,8 +105,7 @@ void extractInto(WorldModel& world, const GpsState& state, const GpsParams& para
   world.pose = state.pose.modes[0].pose;
   world.covariance = covarianceAboutBest(state.pose.modes);
   world.positionSd = positionSd(world.covariance);
-  const double headingSd = std::sqrt(std::max(0.0, world.covariance[8]));
-  world.headingSd = Angle::rad(std::min(headingSd, maths::kPi));
+  world.headingSd = Angle::rad(std::min(sdOf(world.covariance[8]), maths::kPi));
   world.cameraTilt = state.pose.modes[0].tilt;
   world.focalScale = state.pose.focal;
   world.imageLag = state.pose.lag;
