@@ -147,6 +147,7 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state,
     const Measurement seen = displaced(m, params.landmarkOffsets, state.pose.offsets);
     if (state.pose.lost) {
       seedAround(seen, params.field, params.modes, state.pose, state.counts);
+      state.pose.kindsSeen = 0;
     } else {
       m = doubted(seen, state.pose.offsets);
       noteSighting(in, m, params, state.pose);
@@ -156,6 +157,7 @@ void useLandmarks(const GpsIn& in, const GpsParams& params, GpsState& state,
       update(m, params.field, params.modes, state.pose, state.counts);
     }
     finishUpdate(params, state);
+    state.pose.kindsSeen |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(seen.kind));
     if (!state.pose.lost) noteLandmarks(1, params.stuck, state);  // else no place on the field fits
   }
 }

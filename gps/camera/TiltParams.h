@@ -14,9 +14,9 @@ struct TiltParams {
   Angle initialSd = Angle::deg(1.5);
   Angle driftSd = Angle::deg(0.4);  // after a second: the neck's play, feet that sink in
   // As much more, for each 100 cm/s2 of shaking (Shake.h): a walking body sways by 1.5 deg at
-  // 2 Hz, which is another tilt in each image: 6 deg make the pose on legs better
-  // (docs/decisions.md).
-  Angle swaySd = Angle::deg(0.0);
+  // 2 Hz, which is another tilt in each image. Without it lines made the pose worse than landmarks
+  // alone (`kelpie evaluate localise`).
+  Angle swaySd = Angle::deg(6.0);
   Angle oscillationSd = Angle::deg(0.2);  // of one image: joints' noise, the walking body
   double gate = 3.5;  // standard deviations; beyond, a sighting is something else's
   // Of a robot's accelerometer, which a mean over many images does not make smaller: the sd of one

@@ -94,6 +94,7 @@ struct PoseState {
   LandmarkOffsets offsets;
   SurprisingSighting surprising;
   SightingRecords sightings{};
+  std::uint8_t kindsSeen = 0;  // a bit for each kind of landmark that was used since one gave modes
   std::uint32_t unexplained = 0;  // landmarks in a row that no mode predicted
   double secondsSinceLandmark = 0.0;
   double secondsSinceLines = 0.0;

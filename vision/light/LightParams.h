@@ -39,7 +39,7 @@ struct LightParams {
   double frameSd = 0.2;       // of what one image tells, besides
   double memory = 150.0;      // images over which it is averaged
   double unlike = 0.4;        // landmarks farther off than that are not of this light alone
-  double glareImages = 30.0;  // without a landmark where one should show: it may be overexposed
+  double glareImages = 12.0;  // without a landmark where one should show: it may be overexposed
   double leastStep = 0.03;    // of a gain that is worth making tables anew
   double mostStep = 0.15;     // at once
   double least = 0.4;         // of the light that the table was made for
