@@ -92,8 +92,15 @@ struct Turned {
 struct Relaid {
   bool onGround = true;
   Point2<Robot> place;
-  Point2<Robot> perTilt;
-  Point2<Robot> perRoll;
+  Point2<Robot> way;  // from below the camera
+  double height = 0.0;
+
+  Point2<Robot> perTilt() const {
+    return {way.x * way.y / height, height + way.y * way.y / height};
+  }
+  Point2<Robot> perRoll() const {
+    return {-height - way.x * way.x / height, -(way.x * way.y / height)};
+  }
 };
 
 Relaid relaid(const Point3<Robot>& eye, Point2<Robot> place, const Vector2& tilt) {
@@ -102,14 +109,10 @@ Relaid relaid(const Point3<Robot>& eye, Point2<Robot> place, const Vector2& tilt
   const double x = place.x - eye.x;
   const double y = place.y - eye.y;
   const double down = h - tilt(0) * y + tilt(1) * x;
-  if (!(down > kFlattest * h)) return {false, {}, {}, {}};
+  if (!(down > kFlattest * h)) return {false, {}, {}, h};
   const double stretch = h / down;
   const Point2<Robot> way{(x - tilt(1) * h) * stretch, (y + tilt(0) * h) * stretch};
-  const double both = way.x * way.y / h;
-  return {true,
-          {eye.x + way.x, eye.y + way.y},
-          {both, h + way.y * way.y / h},
-          {-h - way.x * way.x / h, -both}};
+  return {true, {eye.x + way.x, eye.y + way.y}, way, h};
 }
 
 template <int N, typename Points, typename Distance>
@@ -118,19 +121,20 @@ Sums<N> summed(const Points& points, const Point3<Robot>& eye, const Turned& t, 
   Sums<N> sums;
   for (const SeenPoint& point : points) {
     sums.weight += point.weight;
-    Relaid at{true, point.place, {}, {}};
+    Relaid at{true, point.place, {}, 0.0};
     if constexpr (N == kPoseAndTilt) at = relaid(eye, point.place, t.trial.tilt);
     if (!at.onGround) continue;
     const FeatureDistance d = distance(t.placed(at.place), point.border);
     const double value = 1.0 / (1.0 + sharpness * d.value * d.value);
     sums.match += point.weight * value;
+    if (d.alongX == 0.0 && d.alongY == 0.0) continue;  // green on the carpet pulls nowhere
     Vector<N> slope;
     slope(0) = d.alongX;
     slope(1) = d.alongY;
     slope(2) = t.along(d, {-at.place.y, at.place.x});
     if constexpr (N == kPoseAndTilt) {
-      slope(3) = t.along(d, at.perTilt);
-      slope(4) = t.along(d, at.perRoll);
+      slope(3) = t.along(d, at.perTilt());
+      slope(4) = t.along(d, at.perRoll());
     }
     sums.add(point.weight * value * value, d.value, slope);
   }
