@@ -34,9 +34,9 @@ function(kelpie_install_rules)
   kelpie_install_data(runtime tools/league/value near.json far.json)
   kelpie_install_data(runtime tools/calibrate/carpet *.py)
   kelpie_install_data(runtime tools/calibrate/looking *.py)
-  install(FILES docs/first-behaviour.md docs/first-behaviour.png docs/teach.md docs/behaviours.md
-                docs/logs.md docs/glossary.md docs/team-protocol.md
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kelpie COMPONENT runtime)
+  # All guides: each names others, and whoever has no source tree reads them here.
+  install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/kelpie COMPONENT runtime
+          FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.json)
   install(PROGRAMS ${CMAKE_SOURCE_DIR}/toolchain/make-pyzip DESTINATION ${KELPIE_DATA}/toolchain
           COMPONENT runtime)
   # The studio's page, where tools/build studio has made it.

@@ -3,6 +3,7 @@
 tree, and write only where the user stands. Takes the programs that are built."""
 
 import os
+import re
 import shutil
 import subprocess
 
@@ -79,3 +80,28 @@ def test_the_second_component_holds_what_the_first_does_not(place, tmp_path):
     dev = files_in(tmp_path)
     assert not dev & files_in(place)
     assert {"bin/kelpie-experiments", "share/kelpie/toolchain/check-object"} <= dev
+
+
+def test_each_guide_that_a_guide_names_is_there(place):
+    guides = place / "share/doc/kelpie"
+    named = {name for guide in guides.glob("*.md")
+             for name in re.findall(r"docs/([\w./-]+\.(?:md|png|json))", guide.read_text())}
+    assert len(named) > 5
+    assert {name for name in named if not (guides / name).is_file()} == set()
+
+
+def test_a_team_that_comes_with_kelpie_is_found_from_anywhere(place, tmp_path):
+    done = subprocess.run([place / "bin/kelpie", "league", "teams/kelpie", "teams/thesis",
+                           "--matches", "2", "--minutes", "0.1", "--robots", "1v1", "--percepts"],
+                          cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "thesis" in done.stdout
+
+
+def test_a_team_of_the_user_s_goes_before_one_of_the_same_name(place, tmp_path):
+    mine = tmp_path / "teams/thesis/main.py"
+    mine.parent.mkdir(parents=True)
+    mine.write_text("boom(\n")
+    said = play(place, tmp_path, "--robots", "1v1", "--red", "teams/thesis").stderr
+    assert "teams/thesis/main.py:1: SyntaxError" in said
+    assert str(place) not in said

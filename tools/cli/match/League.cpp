@@ -19,6 +19,7 @@
 
 #include "robot/core/Checksum.h"
 #include "tools/cli/Commands.h"
+#include "tools/cli/DataFolder.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/Version.h"
@@ -319,7 +320,7 @@ void addOptions(CommandLine& command, LeagueOptions& options) {
   command
       .option("TEAM", options.folders,
               "Folders of teams: main.py, team.toml or both; their names are the sides'")
-      .check(existingFolder());
+      .checkTeam(dataFolder());
   command.option("--out", options.out, "Folder of the league: its journal and its tables")
       .showDefault();
   command

@@ -40,10 +40,10 @@ Status writePage(const fs::path& page, const std::string& name) {
 Status fill(const fs::path& folder) {
   std::error_code error;
   const fs::path from = dataFolder() + "/examples/team";
+  if (!fs::is_directory(from, error)) return Error{from.string() + ": does not exist"};
   fs::create_directories(folder, error);
   if (!error) fs::copy(from, folder, fs::copy_options::recursive, error);
-  if (error)
-    return Error{fmt::format("{} from {}: {}", folder.string(), from.string(), error.message())};
+  if (error) return Error{fmt::format("{}: {}", folder.string(), error.message())};
   const Status page = writePage(folder / "README.md", nameOf(folder));
   if (!page) return page;
   const std::string standIn = (folder / "test/kelpie.py").string();

@@ -11,6 +11,7 @@
 #include "robot/host/radio/UdpControl.h"
 #include "robot/net/GameControlData.h"
 #include "tools/cli/Commands.h"
+#include "tools/cli/DataFolder.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
 #include "tools/cli/WholeFile.h"
@@ -402,10 +403,10 @@ void addTeamOptions(CommandLine& command, PlayOptions& options) {
       .excludes("--scenario");
   addRulesOption(command, options.rules);
   command.option("--red", options.red, "The red team's folder: main.py, team.toml or both")
-      .check(existingFolder())
+      .checkTeam(dataFolder())
       .excludes("--opponent");
   command.option("--blue", options.blue, "The blue team's folder")
-      .check(existingFolder())
+      .checkTeam(dataFolder())
       .excludes("--opponent");
   command.flag("--trust", session.trust,
                "Scripts that did not come with Kelpie may do all that the user may: without it "

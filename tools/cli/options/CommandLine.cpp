@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
 
 namespace kelpie::cli {
 
@@ -40,6 +41,19 @@ ValueCheck existingFolder() { return ValueCheck(CLI::ExistingDirectory); }
 
 CommandOption& CommandOption::check(const ValueCheck& check) {
   option_->check(check.validator());
+  return *this;
+}
+
+CommandOption& CommandOption::checkTeam(const std::string& data) {
+  const auto oursToo = [data](std::string& team) -> std::string {
+    const std::string ours = data + "/" + team;
+    if (team.rfind("teams/", 0) == 0 && !std::filesystem::exists(team) &&
+        std::filesystem::is_directory(ours))
+      team = ours;
+    return "";
+  };
+  option_->check(CLI::ExistingDirectory);
+  option_->transform(CLI::Validator(oursToo, ""));
   return *this;
 }
 

@@ -44,6 +44,9 @@ class CommandOption {
   explicit CommandOption(CLI::Option* option) : option_(option) {}
 
   CommandOption& check(const ValueCheck& check);
+  // A folder that is there: the user's, or the one of that name, such as teams/thesis, below
+  // `data`.
+  CommandOption& checkTeam(const std::string& data);
   CommandOption& required();
   CommandOption& showDefault();  // the value that the variable has now, in the help
   CommandOption& needs(const CommandOption& other);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "tools/cli/DataFolder.h"
 #include "tools/cli/JsonText.h"
 #include "tools/cli/Process.h"
 #include "tools/cli/Progress.h"
@@ -69,10 +70,10 @@ void addOptions(cli::CommandLine& app, EvaluateOptions& options) {
              "Minutes of play in each match (default: the experiment's own)")
       .check(cli::inRange(0.1, 60.0));
   app.option(nameOf(Option::side), request.sideA, "Folder of a team (default: teams/kelpie)")
-      .check(cli::existingFolder());
+      .checkTeam(cli::dataFolder());
   app.option(nameOf(Option::opponents), request.sideB,
              "Folder of the team that plays against it (default: the experiment's own)")
-      .check(cli::existingFolder());
+      .checkTeam(cli::dataFolder());
   app.option("--json", options.json, "File for the figures, - for standard output");
   app.flag("--list", options.list, "Each experiment, or NAME alone, with the options that it uses");
 }
